@@ -45,20 +45,13 @@ void checkOptions(const CompareOptions& o) {
   checkWritable(files, {o.a, o.b});
 }
 
-void writeDistances(const ComparedPair& pair, const CompareOptions& o) {
-  const bool isSigned = pair.b.solid.isClosed();
-  writeMeshWithValues(pair.a.solid.surface,
-                      vertexDistances(pair.a.solid.surface, pair.b.solid.surface, isSigned, o.how.threads),
-                      isSigned ? "signed_distance_mm" : "distance_mm", o.distances);
-}
-
 void write(const ComparedPair& pair, const CompareOptions& o) {
   if (!o.distances.empty() && !pair.found.distances)
     throw UsageError("-o " + o.distances + ": there are no distances, as an object is empty.");
   const DeferSignals whole;
   const CancelScope scope(DeferSignals::stopToken());
   const Phase phase("writing");
-  if (!o.distances.empty()) writeDistances(pair, o);
+  if (!o.distances.empty()) writeDistances(pair, distancesFromReference(pair, o.how.threads), o.distances);
   if (!o.report.empty()) writeTextAtomically(o.report, comparisonJson(pair));
   if (!o.csv.empty()) writeTextAtomically(o.csv, comparisonCsv(pair));
 }

@@ -3507,10 +3507,6 @@ Mittel ± SA</translation>
         <translation>Referenz wählen…</translation>
     </message>
     <message>
-        <source>A mesh or a label map to compare the active object with</source>
-        <translation>Ein Netz oder eine Labelkarte, mit der das aktive Objekt verglichen wird</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -3547,10 +3543,6 @@ Mittel ± SA</translation>
         <translation>alle außer 0</translation>
     </message>
     <message>
-        <source>Label value of the reference</source>
-        <translation>Labelwert der Referenz</translation>
-    </message>
-    <message>
         <source>Which voxels of a label map are the reference</source>
         <translation>Welche Voxel einer Labelkarte die Referenz sind</translation>
     </message>
@@ -3565,10 +3557,6 @@ Mittel ± SA</translation>
     <message>
         <source>The objects are compared</source>
         <translation>Die Objekte werden verglichen</translation>
-    </message>
-    <message>
-        <source>Label value</source>
-        <translation>Labelwert</translation>
     </message>
     <message>
         <source>Choose the reference</source>
@@ -3597,6 +3585,38 @@ Mittel ± SA</translation>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
         <translation>Dies sind Kennzahlen einer früheren Oberfläche oder eines anderen Objekts.</translation>
+    </message>
+    <message>
+        <source>A mesh, a label map or another object to compare the active object with</source>
+        <translation>Ein Netz, eine Labelkarte oder ein anderes Objekt, mit dem das aktive Objekt verglichen wird</translation>
+    </message>
+    <message>
+        <source>Save distances…</source>
+        <translation>Abstände speichern…</translation>
+    </message>
+    <message>
+        <source>The surface with its distance from the reference at every vertex, as “handlebody-cli compare -o” writes it</source>
+        <translation>Die Oberfläche mit ihrem Abstand von der Referenz an jedem Eckpunkt, wie „handlebody-cli compare -o“ sie schreibt</translation>
+    </message>
+    <message>
+        <source>Why no labels are listed</source>
+        <translation>Warum keine Labels aufgeführt sind</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>Label of the reference</source>
+        <translation>Label der Referenz</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>Aus einer Datei…</translation>
+    </message>
+    <message>
+        <source>Save the distances</source>
+        <translation>Die Abstände speichern</translation>
     </message>
 </context>
 <context>

@@ -3507,10 +3507,6 @@ cercano (mm)</translation>
         <translation>Elegir referencia…</translation>
     </message>
     <message>
-        <source>A mesh or a label map to compare the active object with</source>
-        <translation>Una malla o un mapa de etiquetas con que comparar el objeto activo</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>Comparar</translation>
     </message>
@@ -3547,10 +3543,6 @@ cercano (mm)</translation>
         <translation>todos menos 0</translation>
     </message>
     <message>
-        <source>Label value of the reference</source>
-        <translation>Valor de etiqueta de la referencia</translation>
-    </message>
-    <message>
         <source>Which voxels of a label map are the reference</source>
         <translation>Qué vóxeles de un mapa de etiquetas son la referencia</translation>
     </message>
@@ -3565,10 +3557,6 @@ cercano (mm)</translation>
     <message>
         <source>The objects are compared</source>
         <translation>Se comparan los objetos</translation>
-    </message>
-    <message>
-        <source>Label value</source>
-        <translation>Valor de etiqueta</translation>
     </message>
     <message>
         <source>Choose the reference</source>
@@ -3597,6 +3585,38 @@ cercano (mm)</translation>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
         <translation>Estas cifras son de una superficie anterior o de otro objeto.</translation>
+    </message>
+    <message>
+        <source>A mesh, a label map or another object to compare the active object with</source>
+        <translation>Una malla, un mapa de etiquetas u otro objeto con que comparar el objeto activo</translation>
+    </message>
+    <message>
+        <source>Save distances…</source>
+        <translation>Guardar distancias…</translation>
+    </message>
+    <message>
+        <source>The surface with its distance from the reference at every vertex, as “handlebody-cli compare -o” writes it</source>
+        <translation>La superficie con su distancia a la referencia en cada vértice, como la escribe «handlebody-cli compare -o»</translation>
+    </message>
+    <message>
+        <source>Why no labels are listed</source>
+        <translation>Por qué no se listan etiquetas</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <source>Label of the reference</source>
+        <translation>Etiqueta de la referencia</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>De un archivo…</translation>
+    </message>
+    <message>
+        <source>Save the distances</source>
+        <translation>Guardar las distancias</translation>
     </message>
 </context>
 <context>

@@ -3507,10 +3507,6 @@ proche (mm)</translation>
         <translation>Choisir la référence…</translation>
     </message>
     <message>
-        <source>A mesh or a label map to compare the active object with</source>
-        <translation>Un maillage ou une carte d’étiquettes à comparer à l’objet actif</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>Comparer</translation>
     </message>
@@ -3547,10 +3543,6 @@ proche (mm)</translation>
         <translation>tout sauf 0</translation>
     </message>
     <message>
-        <source>Label value of the reference</source>
-        <translation>Valeur d’étiquette de la référence</translation>
-    </message>
-    <message>
         <source>Which voxels of a label map are the reference</source>
         <translation>Quels voxels d’une carte d’étiquettes sont la référence</translation>
     </message>
@@ -3565,10 +3557,6 @@ proche (mm)</translation>
     <message>
         <source>The objects are compared</source>
         <translation>Les objets sont comparés</translation>
-    </message>
-    <message>
-        <source>Label value</source>
-        <translation>Valeur d’étiquette</translation>
     </message>
     <message>
         <source>Choose the reference</source>
@@ -3597,6 +3585,38 @@ proche (mm)</translation>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
         <translation>Ces indices sont ceux d’une surface antérieure ou d’un autre objet.</translation>
+    </message>
+    <message>
+        <source>A mesh, a label map or another object to compare the active object with</source>
+        <translation>Un maillage, une carte d’étiquettes ou un autre objet à comparer à l’objet actif</translation>
+    </message>
+    <message>
+        <source>Save distances…</source>
+        <translation>Enregistrer les distances…</translation>
+    </message>
+    <message>
+        <source>The surface with its distance from the reference at every vertex, as “handlebody-cli compare -o” writes it</source>
+        <translation>La surface avec sa distance à la référence en chaque sommet, comme l’écrit « handlebody-cli compare -o »</translation>
+    </message>
+    <message>
+        <source>Why no labels are listed</source>
+        <translation>Pourquoi aucune étiquette n’est listée</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Étiquette</translation>
+    </message>
+    <message>
+        <source>Label of the reference</source>
+        <translation>Étiquette de la référence</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>D’un fichier…</translation>
+    </message>
+    <message>
+        <source>Save the distances</source>
+        <translation>Enregistrer les distances</translation>
     </message>
 </context>
 <context>

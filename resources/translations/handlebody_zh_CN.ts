@@ -3507,10 +3507,6 @@ mean ± SD</source>
         <translation>选择参考…</translation>
     </message>
     <message>
-        <source>A mesh or a label map to compare the active object with</source>
-        <translation>用于与当前目标比较的网格或标签图</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>比较</translation>
     </message>
@@ -3547,10 +3543,6 @@ mean ± SD</source>
         <translation>除 0 以外全部</translation>
     </message>
     <message>
-        <source>Label value of the reference</source>
-        <translation>参考的标签值</translation>
-    </message>
-    <message>
         <source>Which voxels of a label map are the reference</source>
         <translation>标签图中哪些体素作为参考</translation>
     </message>
@@ -3565,10 +3557,6 @@ mean ± SD</source>
     <message>
         <source>The objects are compared</source>
         <translation>正在比较目标</translation>
-    </message>
-    <message>
-        <source>Label value</source>
-        <translation>标签值</translation>
     </message>
     <message>
         <source>Choose the reference</source>
@@ -3597,6 +3585,38 @@ mean ± SD</source>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
         <translation>这些指标属于较早的表面或其他目标。</translation>
+    </message>
+    <message>
+        <source>A mesh, a label map or another object to compare the active object with</source>
+        <translation>用于与当前目标比较的网格、标签图或另一个目标</translation>
+    </message>
+    <message>
+        <source>Save distances…</source>
+        <translation>保存距离…</translation>
+    </message>
+    <message>
+        <source>The surface with its distance from the reference at every vertex, as “handlebody-cli compare -o” writes it</source>
+        <translation>表面及其每个顶点到参考的距离，与“handlebody-cli compare -o”写出的相同</translation>
+    </message>
+    <message>
+        <source>Why no labels are listed</source>
+        <translation>未列出标签的原因</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Label of the reference</source>
+        <translation>参考的标签</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>来自文件…</translation>
+    </message>
+    <message>
+        <source>Save the distances</source>
+        <translation>保存距离</translation>
     </message>
 </context>
 <context>

@@ -150,6 +150,9 @@ class Document : public QObject {
   int objectCount() const;
   int activeObject() const;  //!< index
   ObjectInfo objectInfo(int index) const;
+  //! Tells an object from all others, wherever it stands and whatever it is called; the same when undo brings
+  //! it back. Expired: it is gone for good.
+  std::weak_ptr<const void> objectKey(int index) const;
   //! What the objects are called where nothing is to name the patient: those that are called after the file
   //! that they were opened from have another name (core/io/report/anonymous_names.h).
   std::vector<std::string> anonymousNames() const;

@@ -112,6 +112,10 @@ ObjectInfo Document::objectInfo(int index) const {
           d_->objects.madeWithEarlier(object)};
 }
 
+std::weak_ptr<const void> Document::objectKey(int index) const {
+  return std::shared_ptr<const void>(d_->objects.all().at(static_cast<std::size_t>(index)));
+}
+
 std::vector<std::string> Document::anonymousNames() const {
   std::vector<NamedObject> named;
   for (const auto& object : d_->objects) {

@@ -71,6 +71,7 @@ void MainWindow::connectMeasureCommands() {
   connect(&state_.measure(), &MeasureTool::modeChanged, this, &MainWindow::updateMeasureCommands);
   connect(measures_, &MeasuresPanel::wanted, this, &MainWindow::showMeasures);
   connect(measures_, &MeasuresPanel::saveRequested, files_, &FileWork::saveText);
+  connect(measures_, &MeasuresPanel::saveFileRequested, files_, &FileWork::saveFile);
   connect(export_, &ExportPanel::anonymousChanged, measures_, &MeasuresPanel::setAnonymous);
   updateMeasureCommands();
 }

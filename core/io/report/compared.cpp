@@ -85,6 +85,11 @@ ComparedObject readCompared(const std::string& path, std::optional<int> label, s
                             const DecoderSettings& decoder) {
   if (isMeshInputPath(path)) return comparedMesh(path, readMesh(path, decoder));
   LabelFile file(path, decoder);
+  return comparedLabels(path, file, label, warnings);
+}
+
+ComparedObject comparedLabels(const std::string& path, LabelFile& file, std::optional<int> label,
+                              std::vector<Finding>& warnings) {
   for (const Finding& w : file.info().warnings)
     warnings.push_back({FindingKind::ofFile, {{"file", path}}, w});
   return comparedMask(path, file.mask(label), label);
@@ -93,6 +98,16 @@ ComparedObject readCompared(const std::string& path, std::optional<int> label, s
 void compare(ComparedPair& pair, const ComparisonOptions& how) {
   pair.found = compare(pair.a.solid, pair.b.solid, how);
   pair.warnings.insert(pair.warnings.end(), pair.found.warnings.begin(), pair.found.warnings.end());
+}
+
+std::vector<double> distancesFromReference(const ComparedPair& pair, int threads) {
+  const Solid& reference = pair.b.solid;
+  return vertexDistances(pair.a.solid.surface, reference.surface, reference.isClosed(), threads);
+}
+
+void writeDistances(const ComparedPair& pair, const std::vector<double>& distances, const std::string& path) {
+  writeMeshWithValues(pair.a.solid.surface, distances,
+                      pair.b.solid.isClosed() ? "signed_distance_mm" : "distance_mm", path);
 }
 
 ComparedPair anonymous(ComparedPair pair) {

@@ -11,6 +11,8 @@
 
 namespace handlebody {
 
+class LabelFile;
+
 struct ComparedObject {
   std::string path;          //!< or what it is called; empty: not told
   std::optional<int> label;  //!< asked for, of a label map
@@ -34,8 +36,18 @@ ComparedObject comparedLabels(const std::string& name, const Volume& labels, std
 ComparedObject readCompared(const std::string& path, std::optional<int> label, std::vector<Finding>& warnings,
                             const DecoderSettings& decoder = {});
 
+//! The same of a label map that is open.
+ComparedObject comparedLabels(const std::string& path, LabelFile& file, std::optional<int> label,
+                              std::vector<Finding>& warnings);
+
 //! Fills `found` and adds its warnings. Throws as compare.
 void compare(ComparedPair& pair, const ComparisonOptions& how);
+
+//! mm, of every vertex of A's surface from B's: negative inside of B, or without a sign where B has no
+//! inside. Precondition: neither is empty.
+std::vector<double> distancesFromReference(const ComparedPair& pair, int threads);
+//! Writes the surface of A with them (.vtp). Throws as writeMeshWithValues.
+void writeDistances(const ComparedPair& pair, const std::vector<double>& distances, const std::string& path);
 
 //! Without what may name the patient: paths; warnings speak of A and B in their place.
 ComparedPair anonymous(ComparedPair pair);

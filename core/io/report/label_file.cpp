@@ -55,10 +55,11 @@ LabelFile::LabelFile(const std::string& path, const DecoderSettings& decoder)
 
 const Volume& LabelFile::layer(int index) {
   if (index == readLayer_) return read_;
-  read_ = {};  // before the next one takes as much
+  readLayer_ = -1;  // none, if that fails
+  read_ = {};       // before the next one takes as much
   read_ = readVolume(path_, {.frame = index, .decoder = decoder_});
-  readLayer_ = index;
   if (!holdsWholeNumbers(read_)) refuseInput(path_, K::notWholeNumbers);
+  readLayer_ = index;
   return read_;
 }
 

@@ -43,7 +43,7 @@ class LabelFile {
   VolumeInfo info_;
   std::vector<int> shifts_;  // of the numbers of each layer from the values; 0 beyond
   Volume read_;              // the layer that was read last
-  int readLayer_ = 0;
+  int readLayer_ = 0;        // -1: none
 };
 
 //! As LabelFile::labels.

@@ -3,8 +3,12 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QProcess>
 #include <numbers>
 
+#include "core/io/dicom/dicom_writer.h"
+#include "core/io/formats/label_map.h"
+#include "core/io/report/compared_table.h"
 #include "core/mesh/shapes.h"
 #include "tests/ui/model/output_support.h"
 #include "ui/model/comparing.h"
@@ -30,6 +34,15 @@ MeasuredSurface ballSurface(const char* name, const Vec3& centre, double radius)
 
 Volume constantVolume(double value) {
   return testing::volumeByIndex(testing::cubicGrid(41), [value](int, int, int) { return value; });
+}
+
+//! That have this value; of 1 mm³ each.
+int voxelsOf(const Volume& labels, int value) {
+  int count = 0;
+  visitVoxels(labels, [&](const auto* voxels) {
+    for (std::size_t i = 0; i < labels.grid.voxelCount(); ++i) count += static_cast<int>(voxels[i]) == value;
+  });
+  return count;
 }
 
 constexpr double kPi = std::numbers::pi;
@@ -217,6 +230,95 @@ TEST_CASE("a ball against a larger one about the same centre lies inside by the 
   CHECK(answer.pair->found.distances->percentile95() == Approx(2).epsilon(0.02));
   for (const double d : answer.distances) CHECK(std::abs(d + 2) < 0.05);
   CHECK_THROWS(compareWith({ballSurface("Ball", centre, 7), folder.filePath("none.ply")}));
+}
+
+TEST_CASE("of a label map as reference the labels are told by number and name, and one of them is compared",
+          "[measurements]") {
+  const QTemporaryDir folder;
+  const Vec3 left(12, 20, 20), right(30, 20, 20);
+  const std::vector<ExportedObject> meant{
+      {{"Left kidney", {17, 200, 33}, 1, "kidney"}, icosphere(left, 7, 0.7)},
+      {{"Cyst \u00e9", {200, 17, 33}, 2, "tissue"}, icosphere(right, 5, 0.7)}};
+  const Volume labels = labelMap(meant, testing::cubicGrid(41));
+  const QString path = folder.filePath(GENERATE("two.seg.nrrd", "two.seg.dcm", "two.nii.gz"));
+  DicomOrigin origin;
+  origin.straight = false;  // no series stands behind it
+  const bool isNamed = !path.endsWith(QLatin1String(".nii.gz"));
+  if (path.endsWith(QLatin1String(".dcm")))
+    writeDicomSegmentation(labels, meant, origin, {}, path.toStdString());
+  else if (isNamed)
+    writeSlicerSegmentation(labels, meant, path.toStdString());
+  else
+    writeVolume(labels, path.toStdString());
+
+  CompareQuestion question{ballSurface("Ball", right, 5), path};
+  ReferenceLabels told;
+  const CompareAnswer all = compareWith(question, [&](ReferenceLabels l) { told = std::move(l); });
+  CHECK(told.error.isEmpty());
+  REQUIRE(told.all.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(told.all[i].value == meant[i].label.value);
+    CHECK(told.all[i].name == (isNamed ? meant[i].label.name : std::string()));
+  }
+  CHECK(all.pair->b.solid.volume() == voxelsOf(labels, 1) + voxelsOf(labels, 2));
+  question.label = 2;
+  const CompareAnswer one = compareWith(question);
+  CHECK(one.pair->b.label == 2);
+  CHECK(one.pair->b.solid.volume() == voxelsOf(labels, 2));
+  CHECK(*one.pair->found.dice > 0.9);
+  CHECK(*all.pair->found.dice < 0.6);
+}
+
+TEST_CASE("a label map with too many labels is compared as a whole, and why none is listed is told",
+          "[measurements]") {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("many.nii.gz");
+  const Vec3 centre(20, 20, 20);
+  const auto label = [&](int i, int j, int k) {
+    return (Vec3(i, j, k) - centre).norm() < 7 ? 1 + (i + 41 * (j + 41 * k)) % 1000 : 0;
+  };
+  writeVolume(testing::volumeByIndex(testing::cubicGrid(41), label), path.toStdString());
+  ReferenceLabels told;
+  const CompareAnswer answer =
+      compareWith({ballSurface("Ball", centre, 7), path}, [&](ReferenceLabels l) { told = std::move(l); });
+  CHECK(told.all.empty());
+  CHECK(told.error.contains(QLatin1String("many.nii.gz")));
+  REQUIRE(answer.pair);
+  CHECK(*answer.pair->found.dice > 0.9);
+}
+
+TEST_CASE("an object as reference is compared as its mesh in a file is", "[measurements]") {
+  const QTemporaryDir folder;
+  const Vec3 centre(20, 20, 20), aside(22, 21, 20);
+  const MeasuredSurface other = ballSurface("Other", aside, 8);
+  const QString file = folder.filePath("other.vtp");
+  writeMesh(other.mesh->get().mesh, file.toStdString());
+  CompareQuestion question{ballSurface("Ball", centre, 7), file};
+  const CompareAnswer asFile = compareWith(question);
+  question.path.clear();
+  question.object = other;
+  CompareAnswer asObject = compareWith(question, [](const ReferenceLabels&) { FAIL("it has no labels"); });
+  CHECK(asObject.pair->b.path == "Other");
+  CHECK(asObject.distances == asFile.distances);
+  auto renamed = *asObject.pair;
+  renamed.b.path = asFile.pair->b.path;
+  CHECK(comparisonJson(renamed) == comparisonJson(*asFile.pair));
+}
+
+TEST_CASE("distances are written as the command line writes them", "[measurements]") {
+  const QTemporaryDir folder;
+  const MeasuredSurface ball = ballSurface("Ball", Vec3(20, 20, 20), 7);
+  TriangleSoup reference = icosphere(Vec3(22, 21, 20), 8, 0.7);
+  if (GENERATE(false, true)) reference.triangles.pop_back();  // it has no inside then
+  const QString a = folder.filePath("a.ply"), b = folder.filePath("b.ply"),
+                mine = folder.filePath("mine.vtp"), told = folder.filePath("told.vtp");
+  writeMesh(ball.mesh->get().mesh, a.toStdString());
+  writeMesh(reference, b.toStdString());
+  const CompareAnswer answer = compareWith({ball, b});
+  writeDistances(*answer.pair, answer.distances, mine.toStdString());
+  REQUIRE(QProcess::execute(HANDLEBODY_CLI, {"compare", a, b, "-o", told}) == 0);
+  CHECK(!bytesOf(mine).isEmpty());
+  CHECK(bytesOf(mine) == bytesOf(told));
 }
 
 TEST_CASE("an export that is cancelled before it begins leaves nothing and is told",

@@ -300,6 +300,15 @@ void AnonymousWindowTest::norDoesWhatIsSavedOfMeasures() {
   std::set<std::string> values = telling();
   values.insert({"DOE", "JANE", jane.folder.path().toStdString(), "Object 1"});
   QCOMPARE(foundIn(hidden, values), std::set<std::string>{"Object 1"});
+  // Where the mesh's object is the reference.
+  ui::ComparePage& page = window->measures().compare();
+  window->document().setActiveObject(1);
+  page.compareWithObject(0);
+  QVERIFY(QTest::qWaitFor([&] { return !page.isComparing(); }, kPatience) && page.shown());
+  const std::string compared = savedBy(window->measures(), {&page}, {"Save as CSV…", "Save as JSON…"});
+  QVERIFY(compared.find(window->document().anonymousNames().front()) != std::string::npos);
+  values.erase("Object 1");
+  QCOMPARE(foundIn(compared, values), std::set<std::string>());
 }
 
 void AnonymousWindowTest::norDoesAPicture() {

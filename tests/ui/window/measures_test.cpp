@@ -3,15 +3,22 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLineEdit>
+#include <QMenu>
+#include <QProcess>
 #include <QProgressBar>
 #include <QTableWidget>
+#include <QTimer>
 #include <QUndoStack>
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/dicom/dicom_writer.h"
+#include "core/io/formats/label_map.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/report/measured.h"
 #include "core/mesh/shapes.h"
@@ -85,6 +92,55 @@ QAbstractButton* buttonOf(QWidget& page, const char* text) {
   return nullptr;
 }
 
+ui::ComparePage& shownComparePage(ui::MainWindow& window) {
+  QTest::keyClick(&window, Qt::Key_M, Qt::ControlModifier);
+  window.measures().show(MeasuresPanel::Page::compare);
+  return window.measures().compare();
+}
+
+bool isCompared(const ui::ComparePage& page) {
+  return QTest::qWaitFor([&] { return !page.isComparing(); }, kPatience) && page.shown();
+}
+
+//! Two balls in the ends of the bar, as a label map by the ending of its name.
+QString writeBalls(const QTemporaryDir& folder, const Grid& grid, const char* name) {
+  const std::vector<ExportedObject> balls{
+      {{"Left internal carotid artery, lumen", {17, 200, 33}, 1, "artery"}, icosphere(kOneEnd, 5, 0.8)},
+      {{"Cyst \u00e9", {200, 17, 33}, 2, "tissue"}, icosphere(kOtherEnd, 4, 0.8)}};
+  const Volume labels = labelMap(balls, grid);
+  const QString path = folder.filePath(QString::fromLatin1(name));
+  DicomOrigin origin;
+  origin.straight = false;  // no series stands behind it
+  if (path.endsWith(QLatin1String(".seg.nrrd")))
+    writeSlicerSegmentation(labels, balls, path.toStdString());
+  else if (path.endsWith(QLatin1String(".dcm")))
+    writeDicomSegmentation(labels, balls, origin, {}, path.toStdString());
+  else
+    writeVolume(labels, path.toStdString());
+  return path;
+}
+
+QStringList textsOf(const QComboBox& box) {
+  QStringList texts;
+  for (int i = 0; i < box.count(); ++i) texts << box.itemText(i);
+  return texts;
+}
+
+//! A ball in the middle of the bar, opened as an object that is done.
+bool openBall(ui::MainWindow& window, const QString& path) {
+  writeMesh(icosphere(Vec3(28, 16, 16), 9, 0.8), path.toStdString());
+  ui::Document& document = window.document();
+  QSignalSpy opened(&document, &ui::Document::objectsOpened);
+  document.openObjects(path, ui::OpenAs::done);
+  if (opened.isEmpty() && !opened.wait(kPatience)) return false;
+  return QTest::qWaitFor([&] { return document.finishedMesh(1) != nullptr; }, kPatience);
+}
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
 //! Of every page of the panel. With HANDLEBODY_PICTURES, a folder, pictures of them are left there to be
 //! looked at.
 QStringList faultsOfPages(ui::MainWindow& window) {
@@ -114,6 +170,10 @@ class MeasuresTest : public QObject {
   void theBrushAndTheRulerDoNotHaveTheMouseBoth();
   void aCentreLineIsPlottedAndPointedAtInTheViews();
   void aReferenceIsComparedAndItsDistancesAreInColour();
+  void aLabelOfAReferenceIsChosenByItsName();
+  void labelsThatCannotBeListedSayWhy();
+  void anotherObjectIsTheReference();
+  void distancesAreSavedAsTheCommandLineWritesThem();
   void formatsThatCannotBeMadeSayWhy();
   void nothingIsCutOffInThePanel();
   void nothingIsCutOffInAnyLanguage();
@@ -317,6 +377,177 @@ void MeasuresTest::aReferenceIsComparedAndItsDistancesAreInColour() {
   QVERIFY(shownText(*window, "State of the comparison").contains("bar.nii.gz"));
 }
 
+void MeasuresTest::aLabelOfAReferenceIsChosenByItsName() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  ui::ComparePage& page = shownComparePage(*window);
+  auto* box = page.findChild<QComboBox*>();
+  QCOMPARE(box->accessibleName(), QString("Label of the reference"));
+  QVERIFY(!box->isVisible());
+  for (const char* name : {"balls.seg.nrrd", "balls.seg.dcm", "balls.nii.gz"}) {
+    page.compareWith(writeBalls(folder, window->document().volume().grid, name));
+    QVERIFY(isCompared(page));
+    QVERIFY(!page.shown()->b.label);  // all of them at first
+    const double both = page.shown()->b.solid.volume();
+    const QStringList numbers{"all but 0", "1", "2"},
+        names{"all but 0", "1 – Left internal carotid artery, lumen", "2 – Cyst é"};
+    QVERIFY(box->isVisible());
+    QCOMPARE(textsOf(*box), QByteArray(name).endsWith(".nii.gz") ? numbers : names);
+    QTest::qWait(50);  // layouts settle
+    const QString faults = layoutFaults(*window).join(QLatin1Char('\n'));
+    QVERIFY2(faults.isEmpty(), qPrintable(faults));
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_End);
+    QVERIFY(page.isComparing());  // at once
+    QVERIFY(isCompared(page));
+    QVERIFY(page.shown()->b.label == 2);
+    QVERIFY(page.shown()->b.solid.volume() < 0.4 * both);  // 64 of 189 parts
+    QCOMPARE(box->currentIndex(), 2);
+    QCOMPARE(box->count(), 3);
+  }
+  // A mesh has none.
+  const QString mesh = folder.filePath("reference.ply");
+  writeMesh(icosphere(Vec3(28, 16, 16), 9, 0.8), mesh.toStdString());
+  page.compareWith(mesh);
+  QVERIFY(!box->isVisible());
+  QVERIFY(isCompared(page));
+  QVERIFY(!page.shown()->b.label);
+}
+
+void MeasuresTest::labelsThatCannotBeListedSayWhy() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  const QString path = folder.filePath("many.nii.gz");
+  const auto label = [](int i, int j, int k) {
+    return (Vec3(i, j, k) - Vec3(28, 16, 16)).norm() < 9 ? 1 + (i + 57 * (j + 33 * k)) % 1000 : 0;
+  };
+  writeVolume(testing::volumeByIndex(window->document().volume().grid, label), path.toStdString());
+  ui::ComparePage& page = shownComparePage(*window);
+  page.compareWith(path);
+  QVERIFY(isCompared(page));  // as a whole
+  QVERIFY(shownText(*window, "Why no labels are listed").contains("many.nii.gz"));
+  QVERIFY(!page.findChild<QComboBox*>()->isEnabled());
+  page.compareWith(folder.filePath("none.nii.gz"));
+  QVERIFY(!isCompared(page));
+  QVERIFY(!shownLabel(*window, "Why no labels are listed"));  // told once
+  QVERIFY(shownText(*window, "State of the comparison").contains("none.nii.gz"));
+}
+
+void MeasuresTest::anotherObjectIsTheReference() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window && openBall(*window, folder.filePath("R&B.ply")));
+  ui::Document& document = window->document();
+  QCOMPARE(document.activeObject(), 0);
+  ui::ComparePage& page = shownComparePage(*window);
+  buttonOf(page, "Choose reference…")->click();
+  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  QVERIFY(menu);
+  QStringList offered;
+  const auto actions = menu->actions();
+  for (const QAction* action : actions)
+    if (!action->isSeparator()) offered << action->text();
+  QCOMPARE(offered, QStringList({"From a file…", "R&&B"}));
+  QTest::keyClick(menu, Qt::Key_Up);  // the last
+  QTest::keyClick(menu, Qt::Key_Return);
+  QVERIFY(page.isComparing());
+  QVERIFY(isCompared(page));
+  QCOMPARE(page.shown()->b.path, std::string("R&B"));
+  QVERIFY(!page.shown()->b.solid.mask && window->viewState().distances());
+  const double dice = *page.shown()->found.dice;
+  const auto told = [&] { return shownText(*window, "State of the comparison"); };
+  const auto isEarlier = [&] { return told().contains("earlier surface"); };
+  QVERIFY(!isEarlier());
+  ObjectLabel label = document.objectInfo(1).label;
+  label.name = "Expert";
+  document.setObjectLabel(1, label, QStringLiteral("Change object"));
+  QCOMPARE(shownText(*window, "The reference"), QString("Expert"));
+  QVERIFY(!isEarlier());
+  // It does not compare with itself.
+  document.setActiveObject(1);
+  QVERIFY(isEarlier());
+  QVERIFY(!buttonOf(page, "Compare")->isEnabled());
+  document.setActiveObject(0);
+  QVERIFY(!isEarlier() && buttonOf(page, "Compare")->isEnabled());
+  // It is deleted, and comes back.
+  document.setObjectLocked(1, false);
+  document.removeObject(1);
+  QCOMPARE(document.objectCount(), 1);
+  QVERIFY(isEarlier());
+  QVERIFY(!buttonOf(page, "Compare")->isEnabled());
+  document.undoStack()->undo();
+  QVERIFY(!isEarlier() && buttonOf(page, "Compare")->isEnabled());
+  // As with its file.
+  page.compareWith(folder.filePath("R&B.ply"));
+  QVERIFY(isCompared(page));
+  QVERIFY(std::abs(*page.shown()->found.dice - dice) < 1e-6);
+  // Another surface of it.
+  page.compareWithObject(1);
+  QVERIFY(isCompared(page) && !isEarlier());
+  document.setActiveObject(1);
+  page.compareWithObject(0);
+  QVERIFY(isCompared(page) && !isEarlier());
+  document.setActiveObject(0);
+  document.goTo(3);
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == 3; }, kPatience));
+  document.setActiveObject(1);
+  QVERIFY(isEarlier());
+}
+
+void MeasuresTest::distancesAreSavedAsTheCommandLineWritesThem() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  ui::Document& document = window->document();
+  document.setPolishes(false);  // what is compared is the surface that is shown
+  const QString surface = folder.filePath("surface.ply"), reference = folder.filePath("reference.ply"),
+                told = folder.filePath("told.vtp"), saved = folder.filePath("saved.vtp");
+  writeMesh(icosphere(Vec3(28, 16, 16), 9, 0.8), reference.toStdString());
+  QSignalSpy exported(&document, &ui::Document::exported);
+  document.exportResult(surface, CoordinateSpace::lps);
+  QVERIFY(!exported.isEmpty() || exported.wait(kPatience));
+  QCOMPARE(QProcess::execute(HANDLEBODY_CLI, {"compare", surface, reference, "-o", told}), 0);
+
+  ui::ComparePage& page = shownComparePage(*window);
+  QAbstractButton* save = buttonOf(page, "Save distances…");
+  QVERIFY(save && !save->isEnabled());
+  page.compareWith(reference);
+  QVERIFY(isCompared(page));
+  QVERIFY(save->isEnabled());
+  for (const bool isAnonymous : {false, true}) {
+    page.setAnonymous(isAnonymous);
+    QTimer::singleShot(500, window.get(), [&] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (!dialog) return;
+      dialog->selectFile(saved);
+      static_cast<QDialog*>(dialog)->accept();
+    });
+    save->click();
+    const auto isTold = [&] {
+      return window->messages().isVisible() && window->messages().text().contains("saved.vtp");
+    };
+    QVERIFY(QTest::qWaitFor(isTold, kPatience));
+    QVERIFY(!contentOf(told).isEmpty());
+    QCOMPARE(contentOf(saved), contentOf(told));
+    QVERIFY(QFile::remove(saved));
+    window->messages().dismiss();
+  }
+  // Why it failed is told.
+  std::function<void(const std::string&)> write;
+  QObject::connect(&window->measures(), &MeasuresPanel::saveFileRequested, window.get(),
+                   [&](const QString&, const QString& what, const QString& extension,
+                       const std::function<void(const std::string&)>& writer) {
+                     QCOMPARE(what + extension, QString("distances.vtp"));
+                     write = writer;
+                   });
+  QObject::disconnect(&window->measures(), nullptr, &window->files(), nullptr);  // a dialog would wait
+  save->click();
+  QVERIFY(write);
+  QVERIFY_THROWS_EXCEPTION(OutputError, write(folder.filePath("no/such/folder/x.vtp").toStdString()));
+}
+
 void MeasuresTest::formatsThatCannotBeMadeSayWhy() {
   const QTemporaryDir folder;
   auto window = grownWindow(folder);
@@ -379,9 +610,8 @@ std::unique_ptr<ui::MainWindow> fullWindow(const QTemporaryDir& folder) {
   document.measurements().add({MeasurementKind::angle, {Vec3(1, 2, 3), Vec3(9, 9, 9), Vec3(40, 30, 20)}});
   document.measurements().select(0);
   window->measures().centreLine().find(kOneEnd, kOtherEnd);
-  const QString reference = folder.filePath("reference.ply");
-  writeMesh(icosphere(Vec3(28, 16, 16), 9, 0.8), reference.toStdString());
-  window->measures().compare().compareWith(reference);
+  // Of all kinds of references the one that says most.
+  window->measures().compare().compareWith(writeBalls(folder, document.volume().grid, "balls.seg.nrrd"));
   const auto isReady = [&] {
     return !window->measures().centreLine().isSearching() && !window->measures().compare().isComparing();
   };

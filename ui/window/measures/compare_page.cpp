@@ -1,17 +1,17 @@
 #include "ui/window/measures/compare_page.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFormLayout>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QSpinBox>
 #include <QTableWidget>
-#include <QVBoxLayout>
 #include <numeric>
 
 #include "core/io/meshes/mesh_io.h"
@@ -21,6 +21,7 @@
 #include "ui/model/translate.h"
 #include "ui/view/distance_colours.h"
 #include "ui/view/view_state.h"
+#include "ui/window/widgets/icons.h"
 #include "ui/window/widgets/numbers.h"
 #include "ui/window/widgets/panel_tools.h"
 
@@ -28,9 +29,8 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTools = 290;     // pixels
-constexpr int kAllLabels = -1;  // shown as a word
-constexpr int kLargest = 65535;
+constexpr int kTools = 290;        // pixels
+constexpr int kLabelLetters = 10;  // at least; longer names are shortened
 
 const QString kNone = QStringLiteral("–");
 
@@ -72,6 +72,12 @@ std::vector<Row> rowsOf(const ComparedPair& pair) {
   return rows;
 }
 
+QString textOf(const NamedLabel& label) {
+  const QString number = QString::number(label.value);
+  return label.name.empty() ? number
+                            : QStringLiteral("%1 – %2").arg(number, QString::fromStdString(label.name));
+}
+
 }  // namespace
 
 ComparePage::ComparePage(Document& document, ViewState& state, QWidget* parent)
@@ -82,8 +88,17 @@ ComparePage::ComparePage(Document& document, ViewState& state, QWidget* parent)
   table_ = listTable({tr("Figure"), tr("Object"), tr("Reference")}, this);
   table_->setAccessibleName(tr("The object beside the reference"));
   layout->addWidget(table_, 1);
+  connectTools();
+  connect(&document_, &Document::opened, this, &ComparePage::forget);
+  for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged, &Document::stateChanged})
+    connect(&document_, changed, this, &ComparePage::showState);
+  forget();
+}
+
+void ComparePage::connectTools() {
   connect(choose_, &QPushButton::clicked, this, &ComparePage::choose);
   connect(again_, &QPushButton::clicked, this, &ComparePage::compareOrCancel);
+  connect(label_, &QComboBox::activated, this, &ComparePage::start);
   connect(colours_, &QCheckBox::toggled, this, &ComparePage::colour);
   connect(csv_, &QPushButton::clicked, this, [this] {
     Q_EMIT saveRequested(tr("Save the comparison"), QStringLiteral(".csv"), comparisonCsv(*told()));
@@ -91,10 +106,7 @@ ComparePage::ComparePage(Document& document, ViewState& state, QWidget* parent)
   connect(json_, &QPushButton::clicked, this, [this] {
     Q_EMIT saveRequested(tr("Save the comparison"), QStringLiteral(".json"), comparisonJson(*told()));
   });
-  connect(&document_, &Document::opened, this, &ComparePage::forget);
-  for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged, &Document::stateChanged})
-    connect(&document_, changed, this, &ComparePage::showState);
-  showState();
+  connect(vtp_, &QPushButton::clicked, this, &ComparePage::saveDistances);
 }
 
 QPushButton* ComparePage::addButton(const QString& text, const QString& tip) {
@@ -110,18 +122,18 @@ QWidget* ComparePage::buildTools() {
   auto* grid = new QGridLayout(tools);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(4);
-  choose_ = addButton(tr("Choose reference…"), tr("A mesh or a label map to compare the active object with"));
+  choose_ = addButton(tr("Choose reference…"),
+                      tr("A mesh, a label map or another object to compare the active object with"));
   again_ = addButton(tr("Compare"), tr("Compare the shown surface with the reference"));
   csv_ = addButton(tr("Save as CSV…"), tr("The same table as “handlebody-cli compare --csv” writes"));
   json_ = addButton(tr("Save as JSON…"), tr("The same as “handlebody-cli compare --report” writes"));
+  vtp_ = addButton(tr("Save distances…"),
+                   tr("The surface with its distance from the reference at every vertex, as "
+                      "“handlebody-cli compare -o” writes it"));
   reference_ = value(tr("The reference"), tools);
+  reference_->setTextFormat(Qt::PlainText);  // an object may be called "<1>"
+  labelNote_ = value(tr("Why no labels are listed"), tools);
   note_ = value(tr("State of the comparison"), tools);
-  label_ = new QSpinBox(tools);
-  label_->setRange(kAllLabels, kLargest);
-  label_->setSpecialValueText(tr("all but 0"));
-  label_->setValue(kAllLabels);
-  describe(label_, tr("Label value of the reference"), tr("Which voxels of a label map are the reference"));
-  ignoreWheelWithoutFocus(label_);
   colours_ = new QCheckBox(tr("Distances in colour on the surface"), tools);
   colours_->setFocusPolicy(Qt::TabFocus);
   colours_->setChecked(true);
@@ -130,22 +142,56 @@ QWidget* ComparePage::buildTools() {
   progress_->setRange(0, 0);  // how long it takes is not known
   progress_->setTextVisible(false);
   progress_->setAccessibleName(tr("The objects are compared"));
-  auto* name = new QLabel(tr("Label value"), tools);
   grid->addWidget(choose_, 0, 0);
   grid->addWidget(again_, 0, 1);
   grid->addWidget(reference_, 1, 0, 1, 2);
-  grid->addWidget(name, 2, 0);
-  grid->addWidget(label_, 2, 1);
-  grid->addWidget(colours_, 3, 0, 1, 2);
-  grid->addWidget(progress_, 4, 0, 1, 2);
-  grid->addWidget(note_, 5, 0, 1, 2);
-  grid->setRowStretch(6, 1);
-  grid->addWidget(csv_, 7, 0);
-  grid->addWidget(json_, 7, 1);
+  grid->addWidget(buildLabelRow(tools), 2, 0, 1, 2);
+  grid->addWidget(labelNote_, 3, 0, 1, 2);
+  grid->addWidget(colours_, 4, 0, 1, 2);
+  grid->addWidget(progress_, 5, 0, 1, 2);
+  grid->addWidget(note_, 6, 0, 1, 2);
+  grid->setRowStretch(7, 1);
+  grid->addWidget(csv_, 8, 0);
+  grid->addWidget(json_, 8, 1);
+  grid->addWidget(vtp_, 9, 0, 1, 2);
   return tools;
 }
 
+QWidget* ComparePage::buildLabelRow(QWidget* tools) {
+  labelRow_ = new QWidget(tools);
+  auto* row = new QHBoxLayout(labelRow_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new QLabel(tr("Label"), labelRow_));
+  label_ = new QComboBox(labelRow_);
+  label_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  label_->setMinimumContentsLength(kLabelLetters);
+  describe(label_, tr("Label of the reference"), tr("Which voxels of a label map are the reference"));
+  ignoreWheelWithoutFocus(label_);
+  row->addWidget(label_, 1);
+  return labelRow_;
+}
+
+// --- the reference ---
+
+//! A file at once where there is nothing else to choose.
 void ComparePage::choose() {
+  const std::vector<int> others = otherObjects();
+  if (others.empty()) return chooseFile();
+  auto* menu = new QMenu(choose_);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  connect(menu->addAction(tr("From a file…")), &QAction::triggered, this, &ComparePage::chooseFile);
+  menu->addSeparator();
+  for (const int index : others) {
+    const ObjectLabel label = document_.objectInfo(index).label;
+    QString name = QString::fromStdString(label.name);
+    name.replace(QLatin1Char('&'), QLatin1String("&&"));  // no letter to press
+    connect(menu->addAction(swatch(label.colour), name), &QAction::triggered, this,
+            [this, object = document_.objectKey(index)] { compareWithObject(indexOf(object)); });
+  }
+  menu->popup(choose_->mapToGlobal(QPoint(0, choose_->height())));
+}
+
+void ComparePage::chooseFile() {
   const QString path = QFileDialog::getOpenFileName(
       this, tr("Choose the reference"), QSettings().value(QStringLiteral("folder")).toString(),
       tr("Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl "
@@ -155,35 +201,108 @@ void ComparePage::choose() {
   if (!path.isEmpty()) compareWith(path);
 }
 
+void ComparePage::compareWith(const QString& path) {
+  if (!surfaceOf(document_.activeObject())) return;
+  refer(path, {});
+  start();
+}
+
+void ComparePage::compareWithObject(int index) {
+  if (index == document_.activeObject() || !surfaceOf(document_.activeObject()) || !surfaceOf(index)) return;
+  refer({}, document_.objectKey(index));
+  start();
+}
+
+void ComparePage::refer(const QString& path, const ObjectKey& object) {
+  path_ = path;
+  object_ = object;
+  objectName_.clear();
+  knowsLabels_ = false;
+  showLabels({});
+}
+
+bool ComparePage::isLabelMap() const { return !path_.isEmpty() && !isMeshInputPath(path_.toStdString()); }
+
+std::optional<MeasuredSurface> ComparePage::surfaceOf(int index) const {
+  if (!document_.hasVolume() || index < 0) return std::nullopt;
+  auto mesh = document_.finishedMesh(index);
+  if (!mesh) return std::nullopt;
+  const std::string anonymousName = document_.anonymousNames().at(static_cast<std::size_t>(index));
+  return MeasuredSurface{QString::fromStdString(document_.objectInfo(index).label.name), std::move(mesh),
+                         QString::fromStdString(anonymousName)};
+}
+
+//! That have a surface.
+std::vector<int> ComparePage::otherObjects() const {
+  std::vector<int> others;
+  for (int i = 0; i < document_.objectCount(); ++i)
+    if (i != document_.activeObject() && surfaceOf(i)) others.push_back(i);
+  return others;
+}
+
+//! -1: it is not in the list.
+int ComparePage::indexOf(const ObjectKey& object) const {
+  const auto wanted = object.lock();
+  for (int i = 0; wanted && i < document_.objectCount(); ++i)
+    if (document_.objectKey(i).lock() == wanted) return i;
+  return -1;
+}
+
+// --- comparing ---
+
+//! None: there is no surface, or no reference that could be compared with it now.
+std::optional<CompareQuestion> ComparePage::question() const {
+  auto surface = surfaceOf(document_.activeObject());
+  if (!surface) return std::nullopt;
+  CompareQuestion question{std::move(*surface), path_};
+  if (const QVariant label = label_->currentData(); isLabelMap() && label.isValid())
+    question.label = label.toInt();
+  if (!path_.isEmpty()) return question;
+  const int index = indexOf(object_);
+  if (index != document_.activeObject()) question.object = surfaceOf(index);
+  return question.object ? std::optional(std::move(question)) : std::nullopt;
+}
+
 void ComparePage::compareOrCancel() {
-  if (!isComparing_) return compareWith(path_);
+  if (!isComparing_) return start();
   comparer_.cancel();
   isComparing_ = false;
   showState();
 }
 
-void ComparePage::compareWith(const QString& path) {
-  const auto mesh = document_.hasVolume() ? document_.finishedMesh(document_.activeObject()) : nullptr;
-  if (!mesh) return;
-  forget();
-  path_ = path;
-  CompareQuestion question;
-  const ObjectInfo info = document_.objectInfo(document_.activeObject());
-  const auto active = static_cast<std::size_t>(document_.activeObject());
-  anonymousName_ = QString::fromStdString(document_.anonymousNames().at(active));
-  question.surface = {QString::fromStdString(info.label.name), mesh, anonymousName_};
-  question.path = path;
-  if (label_->value() != kAllLabels && !isMeshInputPath(path.toStdString())) question.label = label_->value();
-  compared_ = info.snapshot;
+void ComparePage::start() {
+  std::optional<CompareQuestion> wanted = question();
+  if (!wanted) return;
+  clear();
+  asked_ = *wanted;
+  compared_ = document_.snapshot();
   isComparing_ = true;
-  comparer_.compare(std::move(question), [this, number = ++number_](CompareAnswer answer) {
+  ++number_;
+  comparer_.compare(std::move(*wanted), knowsLabels_ ? nullptr : onThisThread(&ComparePage::showLabels),
+                    onThisThread(&ComparePage::showAnswer));
+  showState();
+}
+
+//! Shows what the newest job finds, unless it was cancelled.
+template <typename Result>
+std::function<void(Result)> ComparePage::onThisThread(void (ComparePage::*take)(Result)) {
+  return [this, take, number = number_](Result result) {
     QMetaObject::invokeMethod(
         this,
-        [this, number, answer = std::make_shared<CompareAnswer>(std::move(answer))] {
-          if (number == number_ && isComparing_) showAnswer(std::move(*answer));
+        [this, take, number, result = std::make_shared<Result>(std::move(result))] {
+          if (number == number_ && isComparing_) (this->*take)(std::move(*result));
         },
         Qt::QueuedConnection);
-  });
+  };
+}
+
+void ComparePage::showLabels(ReferenceLabels labels) {
+  knowsLabels_ = !labels.all.empty();
+  labelError_ = labels.error;
+  label_->clear();
+  label_->addItem(tr("all but 0"));
+  for (const NamedLabel& l : labels.all)
+    label_->addItem(l.colour ? swatch(*l.colour) : QIcon(), textOf(l), l.value);
   showState();
 }
 
@@ -195,24 +314,40 @@ void ComparePage::showAnswer(CompareAnswer answer) {
   showState();
 }
 
-//! What is saved.
-std::shared_ptr<const ComparedPair> ComparePage::told() const {
-  if (!isAnonymous_) return answer_.pair;
-  auto pair = std::make_shared<ComparedPair>(anonymous(*answer_.pair));
-  pair->a.path = anonymousName_.toStdString();
-  return pair;
-}
-
-void ComparePage::forget() {
+//! What was found, not what it was found of.
+void ComparePage::clear() {
   comparer_.cancel();
   isComparing_ = false;
   answer_ = {};
   compared_.reset();
-  path_.clear();
   state_.setDistances(nullptr);
   showTable();
-  showState();
 }
+
+void ComparePage::forget() {
+  clear();
+  refer({}, {});
+}
+
+// --- what is saved ---
+
+std::shared_ptr<const ComparedPair> ComparePage::told() const {
+  if (!isAnonymous_) return answer_.pair;
+  auto pair = std::make_shared<ComparedPair>(anonymous(*answer_.pair));
+  pair->a.path = asked_.surface.anonymousName.toStdString();
+  if (asked_.object) pair->b.path = asked_.object->anonymousName.toStdString();
+  return pair;
+}
+
+//! They name nobody.
+void ComparePage::saveDistances() {
+  Q_EMIT saveFileRequested(tr("Save the distances"), QStringLiteral(".vtp"),
+                           [pair = answer_.pair, distances = answer_.distances](const std::string& path) {
+                             writeDistances(*pair, distances, path);
+                           });
+}
+
+// --- what is shown ---
 
 void ComparePage::colour() {
   const bool any = colours_->isChecked() && compared_ && !answer_.distances.empty() &&
@@ -237,31 +372,48 @@ void ComparePage::showTable() {
 }
 
 void ComparePage::showState() {
-  const bool any = document_.hasVolume() && document_.finishedMesh(document_.activeObject());
+  const bool any = surfaceOf(document_.activeObject()).has_value();
   choose_->setEnabled(any && !isComparing_);
-  again_->setEnabled(isComparing_ || (any && !path_.isEmpty()));
+  again_->setEnabled(isComparing_ || question());
   again_->setText(isComparing_ ? tr("Cancel") : tr("Compare"));
   again_->setAccessibleName(again_->text());
   progress_->setVisible(isComparing_);
   for (QPushButton* button : {csv_, json_}) button->setEnabled(answer_.pair != nullptr);
-  label_->setEnabled(!isComparing_ && !isMeshInputPath(path_.toStdString()));
-  reference_->setText(path_.isEmpty() ? tr("No reference is chosen.")
-                                      : QFontMetrics(font()).elidedText(QFileInfo(path_).fileName(),
-                                                                        Qt::ElideMiddle, kTools - 10));
-  reference_->setToolTip(path_.toHtmlEscaped());
-  QString text;
-  if (!any)
-    text = tr("There is no surface to compare yet: grow one first.");
-  else if (!answer_.error.isEmpty())
-    text = answer_.error;
-  else if (isComparing_)
-    text = tr("Comparing…");
-  else if (answer_.pair && compared_ != document_.snapshot())
-    text = tr("These are figures of an earlier surface, or of another object.");
-  else if (answer_.pair)
-    text = findingSentences(answer_.pair->warnings);
+  vtp_->setEnabled(!answer_.distances.empty());
+  showReference();
+  const QString text = stateText();
   note_->setText(text);
   note_->setVisible(!text.isEmpty());
+}
+
+void ComparePage::showReference() {
+  if (const int index = indexOf(object_); index >= 0)
+    objectName_ = QString::fromStdString(document_.objectInfo(index).label.name);
+  const QString name = path_.isEmpty() ? objectName_ : QFileInfo(path_).fileName();
+  reference_->setText(name.isEmpty() ? tr("No reference is chosen.")
+                                     : QFontMetrics(font()).elidedText(name, Qt::ElideMiddle, kTools - 10));
+  reference_->setToolTip((path_.isEmpty() ? objectName_ : path_).toHtmlEscaped());
+  labelRow_->setVisible(isLabelMap());
+  label_->setEnabled(label_->count() > 1);
+  labelNote_->setText(labelError_);
+  labelNote_->setVisible(!labelError_.isEmpty());
+}
+
+//! One of the two is another one now, or gone.
+bool ComparePage::isEarlier() const {
+  if (compared_ != document_.snapshot()) return true;
+  if (!asked_.object) return false;
+  const auto now = surfaceOf(indexOf(object_));
+  return !now || !now->mesh->isOf(*asked_.object->mesh->shown());
+}
+
+QString ComparePage::stateText() const {
+  if (!surfaceOf(document_.activeObject())) return tr("There is no surface to compare yet: grow one first.");
+  if (!answer_.error.isEmpty()) return answer_.error;
+  if (isComparing_) return tr("Comparing…");
+  if (!answer_.pair) return {};
+  if (isEarlier()) return tr("These are figures of an earlier surface, or of another object.");
+  return findingSentences(answer_.pair->warnings);
 }
 
 }  // namespace handlebody::ui

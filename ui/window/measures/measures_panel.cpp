@@ -46,6 +46,11 @@ MeasuresPanel::MeasuresPanel(Document& document, ViewState& state, const Command
           [this](const QString& title, const QString& extension, const std::string& text) {
             Q_EMIT saveRequested(title, QStringLiteral("comparison"), extension, text);
           });
+  connect(compare_, &ComparePage::saveFileRequested, this,
+          [this](const QString& title, const QString& extension,
+                 const std::function<void(const std::string&)>& write) {
+            Q_EMIT saveFileRequested(title, QStringLiteral("distances"), extension, write);
+          });
   connect(sensitivity_, &SensitivityPage::saveRequested, this,
           [this](const QString& title, const QString& extension, const std::string& text) {
             Q_EMIT saveRequested(title, QStringLiteral("sensitivity"), extension, text);

@@ -2,6 +2,7 @@
 // What is measured: the objects as a table, rulers and angles, a centre line, the distance to a reference.
 
 #include <QWidget>
+#include <functional>
 #include <string>
 
 class QTabWidget;
@@ -38,6 +39,9 @@ class MeasuresPanel : public QWidget {
   //! `what`: what the file's name says of it, "measures".
   void saveRequested(const QString& title, const QString& what, const QString& extension,
                      const std::string& text);
+  //! The same of a file that `write` makes, on any thread; it may throw.
+  void saveFileRequested(const QString& title, const QString& what, const QString& extension,
+                         const std::function<void(const std::string&)>& write);
   void wanted();  //!< something is to be seen here
 
  private:

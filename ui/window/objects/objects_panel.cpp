@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPainter>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QToolButton>
@@ -22,20 +21,6 @@ namespace {
 
 enum Column { kName, kProgress, kVisible, kLocked, kColumns };
 constexpr int kRowHeight = 26, kMaxRows = 6, kSwatch = 14;  // pixels, and rows
-
-QIcon swatch(const Colour& colour) {
-  constexpr int kScale = 3;  // sharp on any screen
-  QPixmap pixmap(kScale * kSwatch, kScale * kSwatch);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(QColor(0, 0, 0, 120), kScale));
-  painter.setBrush(QColor(colour[0], colour[1], colour[2]));
-  painter.drawRoundedRect(pixmap.rect().adjusted(kScale, kScale, -kScale, -kScale), 6, 6);
-  QIcon icon(pixmap);
-  icon.addPixmap(pixmap, QIcon::Selected);  // the same colour on the chosen row
-  return icon;
-}
 
 //! On the ground of the chosen row it has the colour of its text.
 QIcon iconOfRow(const QString& name, bool isActive) {

@@ -20,10 +20,12 @@
 #include "core/io/formats/label_map.h"
 #include "core/io/meshes/mesh_io.h"
 #include "ui/model/document.h"
+#include "ui/model/error_sentence.h"
 #include "ui/model/finding_text.h"
 #include "ui/window/export/export_panel.h"
 #include "ui/window/open/open_objects_dialog.h"
 #include "ui/window/views/view_grid.h"
+#include "ui/window/widgets/in_background.h"
 #include "ui/window/widgets/message_bar.h"
 
 namespace handlebody::ui {
@@ -34,6 +36,15 @@ constexpr int kMaxRecent = 10;
 constexpr int kBeforeProgress = 400;  // ms: what is quicker shows none
 const QString kRecent = QStringLiteral("recent");
 const QString kFolder = QStringLiteral("folder");
+
+//! Why it failed, as a sentence; empty: it did not.
+template <typename Job>
+QString whyNot(Job&& job) try {
+  job();
+  return {};
+} catch (...) {
+  return errorSentence();
+}
 
 QString volumeFilter() {
   return FileWork::tr(
@@ -393,6 +404,21 @@ void FileWork::saveText(const QString& title, const QString& what, const QString
   } catch (const std::exception& error) {
     messages_.show(MessageBar::Kind::error, QString::fromUtf8(error.what()));
   }
+}
+
+void FileWork::saveFile(const QString& title, const QString& what, const QString& extension,
+                        const std::function<void(const std::string&)>& write) {
+  const QString path = askForName(title, suggestedBase() + QLatin1Char('_') + what,
+                                  QStringLiteral("*%1").arg(extension), extension);
+  if (path.isEmpty()) return;
+  inBackground(
+      this, [write, name = QFile::encodeName(path).toStdString()] { return whyNot([&] { write(name); }); },
+      [this, path](const QString& error) {
+        if (error.isEmpty())
+          messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
+        else
+          messages_.show(MessageBar::Kind::error, error);
+      });
 }
 
 void FileWork::offerRecovery() {

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 #include <functional>
+#include <string>
 
 #include "core/finding.h"
 #include "core/io/formats/volume_io.h"
@@ -46,6 +47,9 @@ class FileWork : public QObject {
   void exportFrames(bool asLabels);
   //! Asks for a name that begins as the volume's and ends in `what`, and writes the text there.
   void saveText(const QString& title, const QString& what, const QString& extension, const std::string& text);
+  //! The same of a file that `write` makes on a worker thread. It may throw: why is told.
+  void saveFile(const QString& title, const QString& what, const QString& extension,
+                const std::function<void(const std::string& path)>& write);
   //! True if the window may close now. Else it asks about unsaved work, and closes the window when the answer
   //! is carried out.
   bool mayClose();

@@ -79,6 +79,20 @@ QIcon iconOnBlack(const QString& name) {
   return QIcon(new LineIcon(resource(name).replace("currentColor", "#e6e9ec")));
 }
 
+QIcon swatch(const Colour& colour) {
+  constexpr int kSide = 42, kScale = 3;  // pixels: sharp on any screen
+  QPixmap pixmap(kSide, kSide);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(QColor(0, 0, 0, 120), kScale));
+  painter.setBrush(QColor(colour[0], colour[1], colour[2]));
+  painter.drawRoundedRect(pixmap.rect().adjusted(kScale, kScale, -kScale, -kScale), 6, 6);
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);  // not tinted there
+  return icon;
+}
+
 QIcon programIcon() { return icon(QStringLiteral("handlebody")); }
 
 }  // namespace handlebody::ui

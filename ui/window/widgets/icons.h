@@ -5,6 +5,8 @@
 #include <QIcon>
 #include <QString>
 
+#include "core/io/meshes/exported_object.h"
+
 namespace handlebody::ui {
 
 //! resources/icons/NAME.svg; "currentColor" in it is the palette's text colour at the time of painting.
@@ -12,6 +14,8 @@ namespace handlebody::ui {
 QIcon icon(const QString& name);
 //! The same for a ground that is always black.
 QIcon iconOnBlack(const QString& name);
+//! A patch of this colour, the same on a chosen row.
+QIcon swatch(const Colour& colour);
 //! The program's icon, in its own colours.
 QIcon programIcon();
 
