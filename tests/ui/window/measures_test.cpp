@@ -535,13 +535,13 @@ void MeasuresTest::distancesAreSavedAsTheCommandLineWritesThem() {
     window->messages().dismiss();
   }
   // Why it failed is told.
-  std::function<void(const std::string&)> write;
-  QObject::connect(&window->measures(), &MeasuresPanel::saveFileRequested, window.get(),
-                   [&](const QString&, const QString& what, const QString& extension,
-                       const std::function<void(const std::string&)>& writer) {
-                     QCOMPARE(what + extension, QString("distances.vtp"));
-                     write = writer;
-                   });
+  ui::FileWriter write;
+  QObject::connect(
+      &window->measures(), &MeasuresPanel::saveFileRequested, window.get(),
+      [&](const QString&, const QString& what, const QString& extension, const ui::FileWriter& writer) {
+        QCOMPARE(what + extension, QString("distances.vtp"));
+        write = writer;
+      });
   QObject::disconnect(&window->measures(), nullptr, &window->files(), nullptr);  // a dialog would wait
   save->click();
   QVERIFY(write);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ui/model/comparing.h"
+#include "ui/window/widgets/file_writer.h"
 
 class QCheckBox;
 class QComboBox;
@@ -42,7 +43,7 @@ class ComparePage : public QWidget {
   void saveRequested(const QString& title, const QString& extension, const std::string& text);
   //! `write` may be called on any thread, and throws.
   void saveFileRequested(const QString& title, const QString& extension,
-                         const std::function<void(const std::string&)>& write);
+                         const handlebody::ui::FileWriter& write);
 
  private:
   using ObjectKey = std::weak_ptr<const void>;

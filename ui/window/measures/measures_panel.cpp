@@ -47,8 +47,7 @@ MeasuresPanel::MeasuresPanel(Document& document, ViewState& state, const Command
             Q_EMIT saveRequested(title, QStringLiteral("comparison"), extension, text);
           });
   connect(compare_, &ComparePage::saveFileRequested, this,
-          [this](const QString& title, const QString& extension,
-                 const std::function<void(const std::string&)>& write) {
+          [this](const QString& title, const QString& extension, const FileWriter& write) {
             Q_EMIT saveFileRequested(title, QStringLiteral("distances"), extension, write);
           });
   connect(sensitivity_, &SensitivityPage::saveRequested, this,

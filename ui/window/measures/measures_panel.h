@@ -2,8 +2,9 @@
 // What is measured: the objects as a table, rulers and angles, a centre line, the distance to a reference.
 
 #include <QWidget>
-#include <functional>
 #include <string>
+
+#include "ui/window/widgets/file_writer.h"
 
 class QTabWidget;
 
@@ -41,7 +42,7 @@ class MeasuresPanel : public QWidget {
                      const std::string& text);
   //! The same of a file that `write` makes, on any thread; it may throw.
   void saveFileRequested(const QString& title, const QString& what, const QString& extension,
-                         const std::function<void(const std::string&)>& write);
+                         const handlebody::ui::FileWriter& write);
   void wanted();  //!< something is to be seen here
 
  private:

@@ -407,7 +407,7 @@ void FileWork::saveText(const QString& title, const QString& what, const QString
 }
 
 void FileWork::saveFile(const QString& title, const QString& what, const QString& extension,
-                        const std::function<void(const std::string&)>& write) {
+                        const FileWriter& write) {
   const QString path = askForName(title, suggestedBase() + QLatin1Char('_') + what,
                                   QStringLiteral("*%1").arg(extension), extension);
   if (path.isEmpty()) return;

@@ -8,6 +8,7 @@
 
 #include "core/finding.h"
 #include "core/io/formats/volume_io.h"
+#include "ui/window/widgets/file_writer.h"
 
 class QWidget;
 
@@ -48,8 +49,7 @@ class FileWork : public QObject {
   //! Asks for a name that begins as the volume's and ends in `what`, and writes the text there.
   void saveText(const QString& title, const QString& what, const QString& extension, const std::string& text);
   //! The same of a file that `write` makes on a worker thread. It may throw: why is told.
-  void saveFile(const QString& title, const QString& what, const QString& extension,
-                const std::function<void(const std::string& path)>& write);
+  void saveFile(const QString& title, const QString& what, const QString& extension, const FileWriter& write);
   //! True if the window may close now. Else it asks about unsaved work, and closes the window when the answer
   //! is carried out.
   bool mayClose();
