@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include "core/io/dicom/dicom_segments.h"
@@ -49,6 +50,8 @@ LabelFile::LabelFile(const std::string& path, const DecoderSettings& decoder)
   read_ = std::move(loaded.volume);
   if (!holdsWholeNumbers(read_)) refuseInput(path, K::notWholeNumbers);
   if (!info_.hasLayers) return;
+  if (info_.frames > static_cast<int>(kMaxLabels))
+    throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path}, {"most", kMaxLabels}}));
   std::erase_if(info_.warnings, [](const Finding& w) { return w.kind == K::firstLayerUsed; });
   shifts_ = slicerLayerShifts(path);
 }
@@ -68,18 +71,29 @@ int LabelFile::shiftOf(int layer) const {
   return at < shifts_.size() ? shifts_[at] : 0;
 }
 
+//! In one pass: a layer may take as long to read as all of them.
+void LabelFile::findLabels() {
+  if (!layerOf_.empty()) return;
+  for (int l = 0; l < layers(); ++l) {
+    std::set<int> values;
+    addValues(layer(l), shiftOf(l), values);
+    for (const int value : values) layerOf_.emplace(value, l);
+    if (layerOf_.size() > kMaxLabels)
+      throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path_}, {"most", kMaxLabels}}));
+  }
+  if (layerOf_.empty()) throw Told<InputError>(Finding(K::labelsEmpty, {{"file", path_}}));
+}
+
 Mask LabelFile::mask(std::optional<int> label) {
   if (!info_.hasLayers) return maskOf(read_, label);
   if (label) {
-    for (int l = 0; l < info_.frames; ++l) {
-      const int value = *label - shiftOf(l);
-      if (value == 0 || (l > 0 && value < 0)) continue;
-      if (Mask mask = maskOf(layer(l), value); !mask.inside.empty()) return mask;
-    }
-    return maskOf(read_, std::nan(""));  // none at all
+    findLabels();
+    const auto at = layerOf_.find(*label);
+    if (at == layerOf_.end()) return maskOf(read_, std::nan(""));  // none at all
+    return maskOf(layer(at->second), *label - shiftOf(at->second));
   }
   auto any = std::make_shared<std::vector<std::uint8_t>>(info_.grid.voxelCount());
-  for (int l = 0; l < info_.frames; ++l)
+  for (int l = 0; l < layers(); ++l)
     visitVoxels(layer(l), [&](const auto* value) {
       for (std::size_t i = 0; i < any->size(); ++i) (*any)[i] |= value[i] != 0 ? 1 : 0;
     });
@@ -87,16 +101,12 @@ Mask LabelFile::mask(std::optional<int> label) {
 }
 
 std::vector<NamedLabel> LabelFile::labels() {
-  std::set<int> values;
-  for (int l = 0; l < (info_.hasLayers ? info_.frames : 1); ++l) addValues(layer(l), shiftOf(l), values);
-  if (values.empty()) throw Told<InputError>(Finding(K::labelsEmpty, {{"file", path_}}));
-  if (values.size() > kMaxLabels)
-    throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path_}, {"most", kMaxLabels}}));
+  findLabels();
   const FileLabels said = saidIn(path_);
   std::vector<NamedLabel> out;
-  for (const int value : values) {
-    const auto label = said.find(value);
-    out.push_back({label == said.end() ? FileLabel() : label->second, value});
+  for (const auto& [number, layer] : layerOf_) {
+    const auto label = said.find(number);
+    out.push_back({label == said.end() ? FileLabel() : label->second, number});
   }
   return out;
 }

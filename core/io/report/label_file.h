@@ -1,7 +1,7 @@
 #pragma once
 // Label maps label by label, whatever keeps them: one value per voxel, or segments that overlap, in layers.
 
-#include <memory>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,20 +30,23 @@ class LabelFile {
   //! Of the file; its warnings speak of it without naming it.
   const VolumeInfo& info() const { return info_; }
   //! The voxels of a label, none if it has none; without one, all that are not 0, of all layers. Throws as
-  //! the constructor.
+  //! the constructor and, of a file in layers, as labels().
   Mask mask(std::optional<int> label);
   //! Those that have a voxel, in ascending order, at least one and kMaxLabels at most. Throws InputError.
   std::vector<NamedLabel> labels();
 
  private:
+  int layers() const { return info_.hasLayers ? info_.frames : 1; }
   const Volume& layer(int index);
   int shiftOf(int layer) const;
+  void findLabels();
   std::string path_;
   DecoderSettings decoder_;
   VolumeInfo info_;
-  std::vector<int> shifts_;  // of the numbers of each layer from the values; 0 beyond
-  Volume read_;              // the layer that was read last
-  int readLayer_ = 0;        // -1: none
+  std::vector<int> shifts_;     // of the numbers of each layer from the values; 0 beyond
+  Volume read_;                 // the layer that was read last
+  int readLayer_ = 0;           // -1: none
+  std::map<int, int> layerOf_;  // of each label; empty until they are looked for
 };
 
 //! As LabelFile::labels.

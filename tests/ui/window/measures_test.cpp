@@ -131,7 +131,7 @@ bool openBall(ui::MainWindow& window, const QString& path) {
   writeMesh(icosphere(Vec3(28, 16, 16), 9, 0.8), path.toStdString());
   ui::Document& document = window.document();
   QSignalSpy opened(&document, &ui::Document::objectsOpened);
-  document.openObjects(path, ui::OpenAs::done);
+  document.openObjects({path, ui::OpenAs::done});
   if (opened.isEmpty() && !opened.wait(kPatience)) return false;
   return QTest::qWaitFor([&] { return document.finishedMesh(1) != nullptr; }, kPatience);
 }
