@@ -40,7 +40,7 @@ TEST_CASE("at a terminal they say what they are at, and take it away; elsewhere 
   }
 }
 
-TEST_CASE("--quiet says nothing of the work at a terminal either", "[cli][progress]") {
+TEST_CASE("with --quiet nothing is said of the work at a terminal either", "[cli][progress]") {
   const Ball ball;
   const Outcome mesh = runCliAtTerminal({"mesh", ball.labels, "-o", ball.folder / "m.stl", "--quiet"});
   CHECK(mesh.exitCode == 0);
