@@ -322,7 +322,8 @@ constexpr FindingWords kWords[] = {
     {K::startMeetsObject, "start-meets-object",
      QT_TRANSLATE_NOOP("Findings",
                        "The surface to begin with, {file}, meets the object '{object}', which comes before "
-                       "it.")},
+                       "it. Labels of one map that touch are kept apart where they are opened together, "
+                       "with the same smoothing, largest part and tunnels.")},
     {K::startCannotChange, "start-cannot-change",
      QT_TRANSLATE_NOOP("Findings",
                        "The surface to begin with cannot become another one on the way: begin again.")},

@@ -7,6 +7,7 @@
 #include "core/io/formats/time_axis.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/report/json.h"
+#include "core/io/report/label_file.h"
 #include "core/io/report/parse.h"
 #include "core/volume/intensity_statistics.h"
 
@@ -69,7 +70,15 @@ void addTimes(Json& json, const TimeAxis& times) {
   if (known) json["sources"]["time"] = times.source;
 }
 
-Json toJson(const VolumeInfo& info, const TimeAxis& times,
+//! Of a segmentation.
+Json labelsToJson(const FileLabels& labels) {
+  Json json = Json::array();
+  for (const auto& [number, label] : labels)
+    json.push_back({{"number", number}, {"name", label.name}, {"term", label.term}});
+  return json;
+}
+
+Json toJson(const VolumeInfo& info, const FileLabels& labels, const TimeAxis& times,
             const std::optional<IntensityStatistics>& statistics) {
   Json json = {
       {"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"path", info.path}, {"format", info.format}};
@@ -81,6 +90,8 @@ Json toJson(const VolumeInfo& info, const TimeAxis& times,
   json["type"] = voxelTypeName(info.type);
   json["frames"] = info.frames;
   if (info.frames > 1) addTimes(json, times);
+  if (info.layers > 1) json["layers"] = info.layers;
+  if (!labels.empty()) json["labels"] = labelsToJson(labels);
   json["intensities"] = nullptr;
   if (statistics) {
     Json percentiles = Json::object();
@@ -149,7 +160,13 @@ void printIntensities(const IntensityStatistics& statistics) {
   std::printf("\n");
 }
 
-void printText(const VolumeInfo& info, const TimeAxis& times,
+void printLabels(const FileLabels& labels) {
+  for (const auto& [number, label] : labels)
+    std::printf("label %d: %s%s\n", number, label.name.empty() ? "(no name)" : label.name.c_str(),
+                label.term.empty() ? "" : (" (" + label.term + ")").c_str());
+}
+
+void printText(const VolumeInfo& info, const FileLabels& labels, const TimeAxis& times,
                const std::optional<IntensityStatistics>& statistics) {
   std::printf("%s: %s\n", info.path.c_str(), info.format.c_str());
   for (const SeriesInfo& s : info.series) printSeries(s);
@@ -157,6 +174,7 @@ void printText(const VolumeInfo& info, const TimeAxis& times,
     printGrid(info, times);
     printIntensities(*statistics);
   }
+  printLabels(labels);
   for (const std::string& warning : sentences(info.warnings)) std::printf("warning: %s\n", warning.c_str());
 }
 
@@ -164,10 +182,11 @@ int info(const InfoOptions& o) {
   VolumeInfo found = inspectVolume(o.path, o.selection);
   const auto statistics = intensities(found, o);
   const TimeAxis times = found.frames > 1 ? readTimeAxis(o.path, o.selection) : TimeAxis{};
+  const FileLabels labels = labelsSaidBy(o.path);
   if (o.json)
-    std::fputs(jsonText(toJson(found, times, statistics)).c_str(), stdout);
+    std::fputs(jsonText(toJson(found, labels, times, statistics)).c_str(), stdout);
   else
-    printText(found, times, statistics);
+    printText(found, labels, times, statistics);
   return kDone;
 }
 

@@ -1360,10 +1360,6 @@
         <translation>Die Anfangsoberfläche {file} liegt außerhalb des Bildvolumens.</translation>
     </message>
     <message>
-        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it.</source>
-        <translation>Die Anfangsoberfläche {file} trifft auf das Objekt „{object}“, das vor ihr kommt.</translation>
-    </message>
-    <message>
         <source>The surface to begin with cannot become another one on the way: begin again.</source>
         <translation>Die Anfangsoberfläche kann unterwegs keine andere werden: beginnen Sie von vorn.</translation>
     </message>
@@ -1786,6 +1782,10 @@
     <message>
         <source>has {tunnels:0f} tunnels, and no closing or opening leaves {most:0f} or fewer</source>
         <translation>hat {tunnels:0f} Tunnel, und kein Schließen oder Öffnen lässt höchstens {most:0f} übrig</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
+        <translation>Die Anfangsoberfläche {file} trifft auf das Objekt „{object}“, das vor ihr kommt. Labels einer Karte, die sich berühren, werden auseinandergehalten, wenn sie zusammen geöffnet werden, mit gleicher Glättung, gleichem größten Teil und gleichen Tunneln.</translation>
     </message>
 </context>
 <context>

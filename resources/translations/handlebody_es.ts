@@ -1360,10 +1360,6 @@
         <translation>La superficie inicial, {file}, está fuera del volumen.</translation>
     </message>
     <message>
-        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it.</source>
-        <translation>La superficie inicial, {file}, toca el objeto «{object}», que va antes que ella.</translation>
-    </message>
-    <message>
         <source>The surface to begin with cannot become another one on the way: begin again.</source>
         <translation>La superficie inicial no puede convertirse en otra sobre la marcha: empiece de nuevo.</translation>
     </message>
@@ -1786,6 +1782,10 @@
     <message>
         <source>has {tunnels:0f} tunnels, and no closing or opening leaves {most:0f} or fewer</source>
         <translation>tiene {tunnels:0f} túneles, y ningún cierre ni apertura deja {most:0f} o menos</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
+        <translation>La superficie inicial, {file}, toca el objeto «{object}», que va antes que ella. Las etiquetas de un mismo mapa que se tocan se mantienen separadas si se abren juntas, con los mismos ajustes de suavizado, parte mayor y túneles.</translation>
     </message>
 </context>
 <context>

@@ -1360,10 +1360,6 @@
         <translation>La surface de départ, {file}, se trouve hors du volume.</translation>
     </message>
     <message>
-        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it.</source>
-        <translation>La surface de départ, {file}, rencontre l’objet « {object} », qui vient avant elle.</translation>
-    </message>
-    <message>
         <source>The surface to begin with cannot become another one on the way: begin again.</source>
         <translation>La surface de départ ne peut pas en devenir une autre en chemin : recommencez.</translation>
     </message>
@@ -1786,6 +1782,10 @@
     <message>
         <source>has {tunnels:0f} tunnels, and no closing or opening leaves {most:0f} or fewer</source>
         <translation>a {tunnels:0f} tunnels, et aucune fermeture ni ouverture n&apos;en laisse {most:0f} ou moins</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
+        <translation>La surface de départ, {file}, rencontre l’objet « {object} », qui vient avant elle. Les étiquettes d’une même carte qui se touchent sont tenues séparées si elles sont ouvertes ensemble, avec les mêmes réglages de lissage, de plus grande partie et de tunnels.</translation>
     </message>
 </context>
 <context>

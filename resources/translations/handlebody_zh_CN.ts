@@ -1360,10 +1360,6 @@
         <translation>起始表面 {file} 在体数据之外。</translation>
     </message>
     <message>
-        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it.</source>
-        <translation>起始表面 {file} 与排在其前的目标“{object}”相遇。</translation>
-    </message>
-    <message>
         <source>The surface to begin with cannot become another one on the way: begin again.</source>
         <translation>起始表面不能在中途更换：请重新开始。</translation>
     </message>
@@ -1786,6 +1782,10 @@
     <message>
         <source>has {tunnels:0f} tunnels, and no closing or opening leaves {most:0f} or fewer</source>
         <translation>有 {tunnels:0f} 个隧道，闭运算或开运算都不能使其不超过 {most:0f} 个</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
+        <translation>起始表面 {file} 与排在其前的目标“{object}”相遇。同一标签图中相互接触的标签，只有一起打开且平滑、最大部分和隧道的设置相同时才会保持分开。</translation>
     </message>
 </context>
 <context>

@@ -155,11 +155,18 @@ TEST_CASE("of segments that overlap each is meshed by number or name, and withou
     CHECK(volume({"--label", "2"}) == volume({"--label", "Whole"}));
     CHECK(volume({}) == volume({"--label", "Whole"}));
     requireRefusal(folder, {"mesh", folder / name, "--label", "Rest", "-o", folder / "x.stl"}, 3,
-                   "no label called 'Rest'; it has: 'Half', 'Whole'");
+                   "no label called 'Rest'; it has: 1 'Half', 2 'Whole'");
     const auto same = runForJson(
         {"compare", folder / name, folder / name, "--label-a", "Half", "--label-b", "Whole", "--json"});
     CHECK(same.at("dice").get<double>() == Approx(2 * 3.0 / (3 + 5)));
     CHECK(same.at("b").at("label") == 2);
+    const auto info = runForJson({"info", folder / name, "--json"});
+    CHECK(info.at("frames") == 1);
+    CHECK(info.at("layers") == 2);
+    CHECK(info.at("labels").at(1).at("number") == 2);
+    CHECK(info.at("labels").at(1).at("name") == "Whole");
+    const std::string text = runCli({"info", folder / name}).out;
+    CHECK_THAT(text, Contains("label 2: Whole") && !Contains("time points"));
   }
 }
 

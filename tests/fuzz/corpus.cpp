@@ -8,6 +8,7 @@
 #include "core/io/report/session.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/mesh_test_support.h"
+#include "tests/io/overlapping_segments.h"
 
 namespace handlebody::test {
 
@@ -73,7 +74,8 @@ DicomOrigin originOf(int slices) {
   return origin;
 }
 
-//! Two segments, in every format that holds some: in DICOM their frames do not fill whole bytes.
+//! Two segments, in every format that holds some: in DICOM their frames do not fill whole bytes. And two that
+//! overlap.
 void addSegmentations(const std::string& folder, std::vector<Sample>& corpus) {
   const Grid grid = obliqueGrid();
   void* buffer = nullptr;
@@ -85,7 +87,11 @@ void addSegmentations(const std::string& folder, std::vector<Sample>& corpus) {
   writeDicomSegmentation(labels, objects, originOf(grid.size[2]), {}, folder + "/s.seg.dcm");
   writeSlicerSegmentation(labels, objects, folder + "/s.seg.nrrd");
   writeVolume(labels, folder + "/s.mha");
-  for (const char* name : {"s.seg.dcm", "s.seg.nrrd", "s.mha"})
+  const std::vector<Segment> layers{{"all", "1 0 0", [](const Vec3&) { return true; }},
+                                    {"some", "0 1 0", [](const Vec3& p) { return p.x() > 1; }}};
+  writeOverlappingDicom(layers, grid, folder + "/s.seg.layers.dcm");
+  writeLayers(layers, grid, folder + "/s.seg.layers.nrrd");
+  for (const char* name : {"s.seg.dcm", "s.seg.nrrd", "s.seg.layers.dcm", "s.seg.layers.nrrd", "s.mha"})
     corpus.push_back({name, readBytes(folder + "/" + name)});
 }
 

@@ -60,6 +60,8 @@ bool readAny(const std::string& path, const DecoderSettings& decoder) try {
     readSession(path);
   else if (isMeshInputPath(path))
     readMesh(path, decoder);
+  else if (path.find(".seg.") != std::string::npos)
+    LabelFile(path, decoder).labels();
   else
     readVolume(path, {.decoder = decoder});
   return true;
@@ -101,6 +103,8 @@ bool runCommands(const std::string& cli, const std::string& path, const std::str
   if (isMeshPath(path) || path.ends_with(".3mf"))
     commands.push_back({cli, "edit", path, "--keep-largest", "--polish", "all", "-o", out});
   if (!isMeshPath(path)) commands.push_back({cli, "mesh", path, "-o", out});
+  if (path.find(".layers.") != std::string::npos)
+    commands.push_back({cli, "mesh", path, "--label", "some", "-o", out});
   bool isFine = true;
   for (const std::vector<std::string>& words : commands) {
     const ProgramEnd end = runProgram(words, kLongest, errors);

@@ -26,8 +26,8 @@ std::vector<test::Segment> threeSegments() {
 void expectThree(const std::string& path) {
   INFO(path);
   LabelFile file(path);
-  CHECK(file.info().hasLayers);
-  CHECK(file.info().frames == 2);
+  CHECK(file.info().layers == 2);
+  CHECK(file.info().frames == 1);  // no time points
   const std::vector<NamedLabel> labels = file.labels();
   REQUIRE(labels.size() == 3);
   const std::size_t counts[] = {15 * 13 * 4, 5 * 13 * 4, 5 * 12 * 4};
@@ -77,7 +77,7 @@ TEST_CASE("segments that do not overlap are one layer, also where several lie in
   apart.erase(apart.begin());
   writeOverlappingDicom(apart, someGrid(), folder / "l.seg.dcm");
   LabelFile file(folder / "l.seg.dcm");
-  CHECK_FALSE(file.info().hasLayers);
+  CHECK(file.info().layers == 1);
   CHECK(file.info().frames == 1);
   CHECK(file.mask(1).count() == 5 * 13 * 4);
   CHECK(file.mask(2).count() == 5 * 12 * 4);
@@ -102,7 +102,7 @@ TEST_CASE("a name that a file has not, or twice, is refused with those that it h
   std::vector<test::Segment> segments = threeSegments();
   writeLayers(segments, someGrid(), path);
   CHECK_THROWS_WITH(labelCalled(path, "liver"),
-                    Contains(path) && Contains("'liver'") && Contains("'body', 'left', 'right'"));
+                    Contains(path) && Contains("'liver'") && Contains("1 'body', 2 'left', 3 'right'"));
   segments[2].name = "left";
   writeLayers(segments, someGrid(), path);
   CHECK_THROWS_WITH(labelCalled(path, "left"), Contains("several labels called 'left'"));

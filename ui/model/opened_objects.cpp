@@ -84,7 +84,7 @@ LabelsToOpen labelsToOpen(const QString& path, const std::atomic<bool>& cancelle
     const std::lock_guard lock(readingVolumes());
     giveUpIfCancelled();
     LabelFile file(QFile::encodeName(path).toStdString());
-    found.mayOverlap = file.info().hasLayers;
+    found.mayOverlap = file.info().layers > 1;
     found.labels = file.labels();
   } catch (const Cancelled&) {
   } catch (...) {

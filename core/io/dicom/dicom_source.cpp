@@ -273,7 +273,7 @@ SeriesInfo infoOf(const DicomSeries& series) {
 void addGeometry(const VolumeHeader& h, SeriesInfo& info) {
   info.size = h.grid.size;
   info.spacing = h.grid.spacing;
-  info.frames = h.frames;
+  info.frames = h.hasLayers ? 1 : h.frames;
 }
 
 SourcePointer Chooser::openOne(const DicomSeries& series) const {

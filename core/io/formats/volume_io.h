@@ -24,7 +24,7 @@ enum class UnevenSlices {
 //! Which volume of a file or folder to read, and how.
 struct VolumeSelection {
   std::optional<std::string> series{};  //!< SeriesInfo::uid, for a folder with several series
-  std::optional<int> frame{};           //!< time point of a 4D file, zero-based
+  std::optional<int> frame{};           //!< time point of a 4D file, or layer of a segmentation, zero-based
   std::optional<Vec3> spacing{};        //!< mm, instead of the file's; for files that have none
   UnevenSlices uneven = UnevenSlices::resample;
   DecoderSettings decoder{};  //!< of DICOM and TIFF; no part of what a session keeps
@@ -59,8 +59,8 @@ struct VolumeInfo {
   std::vector<SeriesInfo> series;
   Grid grid;
   VoxelType type = VoxelType::uint8;
-  int frames = 1;          //!< time points
-  bool hasLayers = false;  //!< they are layers of a segmentation whose segments overlap
+  int frames = 1;  //!< time points
+  int layers = 1;  //!< of a segmentation whose segments overlap: VolumeSelection::frame is one of them
   bool calibrated = true;  //!< false: a spacing is assumed, and lengths and volumes in mm mean nothing
   GeometrySources sources{};
   std::vector<Finding> warnings;               //!< sentences

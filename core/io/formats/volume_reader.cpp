@@ -154,8 +154,7 @@ VolumeInfo infoOf(const VolumeHeader& h, const VolumeSelection& selection, const
   info.warnings = h.warnings;
   info.grid = h.grid;
   info.type = voxelTypeOf(h);
-  info.frames = h.frames;
-  info.hasLayers = h.hasLayers;
+  (h.hasLayers ? info.layers : info.frames) = h.frames;
   info.calibrated = h.calibrated;
   info.sources = h.sources;
   info.dicom = originOf(h, selection.frame.value_or(0));

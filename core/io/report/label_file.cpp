@@ -16,11 +16,6 @@ namespace {
 
 using K = FindingKind;
 
-FileLabels saidIn(const std::string& path) {
-  FileLabels labels = readSlicerLabels(path);
-  return labels.empty() ? readDicomLabels(path) : labels;
-}
-
 //! Of the voxels that are not 0, kMaxLabels + 1 at most.
 void addValues(const Volume& labels, int shift, std::set<int>& values) {
   visitVoxels(labels, [&](const auto* value) {
@@ -34,10 +29,12 @@ void addValues(const Volume& labels, int shift, std::set<int>& values) {
   });
 }
 
+//! "1 'liver', 2 'spleen'"
 std::string namesIn(const FileLabels& labels) {
   std::string names;
   for (const auto& [number, label] : labels)
-    if (!label.name.empty()) names += (names.empty() ? "'" : ", '") + label.name + "'";
+    if (!label.name.empty())
+      names += (names.empty() ? "" : ", ") + std::to_string(number) + " '" + label.name + "'";
   return names;
 }
 
@@ -49,8 +46,8 @@ LabelFile::LabelFile(const std::string& path, const DecoderSettings& decoder)
   info_ = std::move(loaded.info);
   read_ = std::move(loaded.volume);
   if (!holdsWholeNumbers(read_)) refuseInput(path, K::notWholeNumbers);
-  if (!info_.hasLayers) return;
-  if (info_.frames > static_cast<int>(kMaxLabels))
+  if (info_.layers == 1) return;
+  if (info_.layers > static_cast<int>(kMaxLabels))
     throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path}, {"most", kMaxLabels}}));
   std::erase_if(info_.warnings, [](const Finding& w) { return w.kind == K::firstLayerUsed; });
   shifts_ = slicerLayerShifts(path);
@@ -74,7 +71,7 @@ int LabelFile::shiftOf(int layer) const {
 //! In one pass: a layer may take as long to read as all of them.
 void LabelFile::findLabels() {
   if (!layerOf_.empty()) return;
-  for (int l = 0; l < layers(); ++l) {
+  for (int l = 0; l < info_.layers; ++l) {
     std::set<int> values;
     addValues(layer(l), shiftOf(l), values);
     for (const int value : values) layerOf_.emplace(value, l);
@@ -85,7 +82,7 @@ void LabelFile::findLabels() {
 }
 
 Mask LabelFile::mask(std::optional<int> label) {
-  if (!info_.hasLayers) return maskOf(read_, label);
+  if (info_.layers == 1) return maskOf(read_, label);
   if (label) {
     findLabels();
     const auto at = layerOf_.find(*label);
@@ -93,7 +90,7 @@ Mask LabelFile::mask(std::optional<int> label) {
     return maskOf(layer(at->second), *label - shiftOf(at->second));
   }
   auto any = std::make_shared<std::vector<std::uint8_t>>(info_.grid.voxelCount());
-  for (int l = 0; l < layers(); ++l)
+  for (int l = 0; l < info_.layers; ++l)
     visitVoxels(layer(l), [&](const auto* value) {
       for (std::size_t i = 0; i < any->size(); ++i) (*any)[i] |= value[i] != 0 ? 1 : 0;
     });
@@ -102,7 +99,7 @@ Mask LabelFile::mask(std::optional<int> label) {
 
 std::vector<NamedLabel> LabelFile::labels() {
   findLabels();
-  const FileLabels said = saidIn(path_);
+  const FileLabels said = labelsSaidBy(path_);
   std::vector<NamedLabel> out;
   for (const auto& [number, layer] : layerOf_) {
     const auto label = said.find(number);
@@ -111,10 +108,15 @@ std::vector<NamedLabel> LabelFile::labels() {
   return out;
 }
 
+FileLabels labelsSaidBy(const std::string& path) {
+  FileLabels labels = readSlicerLabels(path);
+  return labels.empty() ? readDicomLabels(path) : labels;
+}
+
 std::vector<NamedLabel> labelsIn(const std::string& path) { return LabelFile(path).labels(); }
 
 FileLabel labelIn(const std::string& path, std::optional<int> number) {
-  const FileLabels labels = saidIn(path);
+  const FileLabels labels = labelsSaidBy(path);
   const auto found = number ? labels.find(*number) : labels.size() == 1 ? labels.begin() : labels.end();
   return found == labels.end() ? FileLabel() : found->second;
 }
@@ -124,7 +126,7 @@ int labelCalled(const std::string& path, const std::string& text) {
   const char* const end = text.data() + text.size();
   if (const auto [at, error] = std::from_chars(text.data(), end, number); error == std::errc() && at == end)
     return number;
-  const FileLabels labels = saidIn(path);
+  const FileLabels labels = labelsSaidBy(path);
   std::vector<int> called;
   for (const auto& [value, label] : labels)
     if (label.name == text) called.push_back(value);

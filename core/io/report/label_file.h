@@ -36,7 +36,6 @@ class LabelFile {
   std::vector<NamedLabel> labels();
 
  private:
-  int layers() const { return info_.hasLayers ? info_.frames : 1; }
   const Volume& layer(int index);
   int shiftOf(int layer) const;
   void findLabels();
@@ -49,6 +48,8 @@ class LabelFile {
   std::map<int, int> layerOf_;  // of each label; empty until they are looked for
 };
 
+//! What a segmentation says of its labels, by its header alone; empty for any other file.
+FileLabels labelsSaidBy(const std::string& path);
 //! As LabelFile::labels.
 std::vector<NamedLabel> labelsIn(const std::string& path);
 //! What a file says of one of its labels, or of the only one that it knows, by its header alone. Nothing of a

@@ -161,7 +161,7 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
   for (const int value : values)
     masks.push_back(maskIn(key, labels, value == 0 ? std::nullopt : std::optional(value)));
   std::vector<std::size_t> shared(masks.size());
-  if (labels.info().hasLayers || key.shape.genus) shared = keepApart(key, values, masks);
+  if (labels.info().layers > 1 || key.shape.genus) shared = keepApart(key, values, masks);
   std::map<int, ReadStart> read;
   std::vector<LabelMesh> meshes = meshesIn(key, masks);
   for (std::size_t i = 0; i < values.size(); ++i) {

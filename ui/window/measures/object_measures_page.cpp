@@ -273,8 +273,11 @@ void ObjectMeasuresPage::showState() {
 }
 
 //! What leaves the page.
+//! With the rulers and angles as they are now, as `measure` tells those of a session.
 Measured ObjectMeasuresPage::told() const {
-  return isAnonymous_ ? anonymous(*shown_, anonymousNames(measured_)) : *shown_;
+  Measured m = *shown_;
+  m.placed = document_.measurements().all();
+  return isAnonymous_ ? anonymous(std::move(m), anonymousNames(measured_)) : m;
 }
 
 std::string ObjectMeasuresPage::csv() const { return measuredCsv(told()); }
