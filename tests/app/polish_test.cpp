@@ -117,3 +117,17 @@ TEST_CASE("options of the export that make no sense are refused", "[cli][polish]
                  "--mesher-seconds");
   requireRefusal(folder, {"edit", ballFile(folder), "-o", folder / "m.stl", "--polish", "on"}, 2, "--polish");
 }
+
+TEST_CASE("what grows in phantoms is written without thin triangles and sharp edges", "[cli][polish]") {
+  for (const std::string name : {"torus", "genus3", "cube", "rings", "trefoil", "tree", "gyroid"}) {
+    INFO(name);
+    const TempFolder folder;
+    const PhantomFile phantom = makePhantomFile(folder, "v.nii.gz", {"--noise", "0.15"}, name);
+    const Outcome run = runCli({"segment", phantom.path, "--seed", phantom.seed, "-o", folder / "m.stl"});
+    REQUIRE(run.exitCode == 0);
+    const auto json = runForJson({"check", folder / "m.stl", "--json"});
+    CHECK(json.at("genus") == phantom.json.at("genus"));
+    CHECK(json.at("quality").at("angles_degrees").at("least") >= 15);
+    CHECK(json.at("quality").at("dihedral_angles_degrees").at("least") >= 20);
+  }
+}

@@ -18,6 +18,7 @@
 
 #include "ui/model/document.h"
 #include "ui/model/finding_text.h"
+#include "ui/model/measurements.h"
 #include "ui/view/view_state.h"
 #include "ui/window/measures/measure_texts.h"
 #include "ui/window/widgets/panel_tools.h"
