@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/progress.h"
 #include "core/io/formats/time_axis.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/report/json.h"
@@ -179,6 +180,7 @@ void printText(const VolumeInfo& info, const FileLabels& labels, const TimeAxis&
 }
 
 int info(const InfoOptions& o) {
+  const PhaseLine line(false);
   VolumeInfo found = inspectVolume(o.path, o.selection);
   const auto statistics = intensities(found, o);
   const TimeAxis times = found.frames > 1 ? readTimeAxis(o.path, o.selection) : TimeAxis{};

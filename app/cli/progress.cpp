@@ -52,7 +52,7 @@ void PhaseLine::tell(const char* phase) {
   if (*phase_ == '\0') {
     if (*shown_ != '\0') eraseLine();
     shown_ = phase_;
-  } else if (began_ - drawn_ >= kBetweenLines) {
+  } else if (known_.insert(phase).second || began_ - drawn_ >= kBetweenLines) {
     draw();
   }
 }

@@ -5,7 +5,9 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stop_token>
+#include <string_view>
 #include <thread>
 
 #include "core/evolution/step_report.h"
@@ -32,7 +34,8 @@ class Progress {
   PhaseScope noPhases_{{}};
 };
 
-//! While it lives: the phase that work on this thread is at, and for how many seconds. Between phases there
+//! While it lives: the phase that work on this thread is at, and for how many seconds. Each is there at least
+//! once, however short; else the line changes no more than every tenth of a second. Between phases there
 //! is no line, so that whatever else is to be said can be said there.
 class PhaseLine {
  public:
@@ -47,6 +50,7 @@ class PhaseLine {
   std::condition_variable_any sleeping_;
   const char* phase_ = "";
   const char* shown_ = "";
+  std::set<std::string_view> known_;  // phases that have been there
   long shownSeconds_ = 0;
   std::chrono::steady_clock::time_point began_{}, drawn_{};
   std::optional<PhaseScope> scope_;

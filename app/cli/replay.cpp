@@ -4,6 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/over_time.h"
+#include "app/cli/progress.h"
 #include "app/cli/run_objects.h"
 #include "core/errors.h"
 #include "core/io/report/anonymous_names.h"
@@ -55,6 +56,7 @@ void leaveOutUnseeded(std::vector<Session>& sessions) {
 }
 
 int replay(ReplayOptions o) {
+  const PhaseLine line(o.outputs.quiet);
   std::vector<Session> sessions = readSessions(o.path, o.inputs);
   leaveOutUnseeded(sessions);
   std::vector<std::string> inputs{o.path};

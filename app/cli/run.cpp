@@ -8,7 +8,6 @@
 
 #include "app/cli/command.h"
 #include "app/cli/export_options.h"
-#include "app/cli/progress.h"
 #include "app/picture/picture.h"
 #include "core/cancellation.h"
 #include "core/errors.h"
@@ -207,7 +206,6 @@ ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
                   const RunOutputs& outputs) {
   const CancelScope scope(DeferSignals::stopToken());
-  const PhaseLine line(outputs.quiet);
   const ExportContext context = contextOf(report, outputs);
   std::vector<std::string> together;
   for (const ResultFile& file : outputs.files)
@@ -253,7 +251,6 @@ void polishAmong(GrownObject& object, const std::vector<const TriangleSoup*>& ot
                  const RunOutputs& outputs) {
   RunReport& report = object.report;
   if (!isPolished(report.session)) return;
-  const PhaseLine line(outputs.quiet);
   Stopwatch watch;
   object.polish.bounds.obstacles = others;
   CertifiedMesh made{std::move(object.mesh), report.mesh};
@@ -285,7 +282,6 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   contour =
       evolve(std::move(contour), report, {outputs.onLeak, onHeld, !outputs.trace.empty(), outputs.quiet});
   report.seconds.evolve = watch.lap();
-  const PhaseLine line(outputs.quiet);
   candidates.tell(report);
   report.seconds.prepare += watch.lap();
 

@@ -1,5 +1,5 @@
 #pragma once
-// From a loaded volume to files: what `segment` and `replay` share.
+// From a loaded volume to files: what `segment` and `replay` share. Who calls has a PhaseLine.
 
 #include <chrono>
 #include <string>

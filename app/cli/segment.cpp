@@ -9,6 +9,7 @@
 #include "app/cli/frame_files.h"
 #include "app/cli/object_groups.h"
 #include "app/cli/over_time.h"
+#include "app/cli/progress.h"
 #include "app/cli/run_objects.h"
 #include "core/errors.h"
 #include "core/io/report/clicks.h"
@@ -81,6 +82,7 @@ void addGrowthOption(CLI::App& command, const GrowthOption& option, Session& ses
 }
 
 int segment(SegmentOptions o) {
+  const PhaseLine line(o.outputs.quiet);
   Session& session = o.session;
   if (!letAsk(o.outputs.onHeld, session.constraints) && o.outputs.onHeld != OnHeld::hold) refuseToAsk();
   session.version = HANDLEBODY_VERSION;
@@ -231,6 +233,7 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
 }
 
 int segmentSeveral(SeveralObjects all) {
+  const PhaseLine line(all.run.outputs.quiet);
   std::vector<std::string> inputs;
   for (const Session& session : all.sessions)
     for (const std::string& path : inputsOf(session)) inputs.push_back(path);

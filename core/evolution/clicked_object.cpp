@@ -4,6 +4,7 @@
 
 #include "core/evolution/click_faults.h"
 #include "core/evolution/region_image.h"
+#include "core/phase.h"
 #include "core/threads.h"
 #include "core/told_error.h"
 
@@ -176,6 +177,7 @@ ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& cli
 
 ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
                                 ObjectMemory* memory) {
+  const Phase phase(kFindingPhase);
   const std::vector<Seed> seeds = seedsOfSide(clicks, false);
   requireClicksInside(volume.grid, clicks);
   if (std::optional<Finding> fault = contradictionOf(volume.grid, clicks)) throw Told<SeedError>(*fault);

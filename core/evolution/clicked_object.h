@@ -11,6 +11,9 @@
 
 namespace handlebody {
 
+//! The phase (phase.h) of the search.
+inline constexpr const char* kFindingPhase = "finding what the clicks mean";
+
 //! What the clicks may mean, whichever of it grows.
 struct ObjectChoices {
   std::vector<ObjectCandidate> candidates;  //!< the likeliest first

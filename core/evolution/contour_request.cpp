@@ -12,6 +12,7 @@
 #include "core/geometry/triangle_distance.h"
 #include "core/indices.h"
 #include "core/mesh/structure.h"
+#include "core/phase.h"
 #include "core/threads.h"
 #include "core/told_error.h"
 
@@ -125,6 +126,7 @@ void ActiveContour::State::chooseSizes(const std::vector<Seed>& inside, bool ane
 
 //! Precondition: volume and object are chosen.
 void ActiveContour::State::start(Request request) {
+  const Phase phase("first surface");
   asked = std::move(request);
   locked.held.choose(asked.constraints, 0);
   locked.pins.choose(asked.constraints.pins, 0);

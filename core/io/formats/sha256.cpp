@@ -10,6 +10,7 @@
 
 #include "core/io/formats/volume_io.h"
 #include "core/io/formats/volume_source.h"
+#include "core/phase.h"
 
 namespace handlebody {
 namespace {
@@ -63,6 +64,7 @@ void addFile(Digest& digest, const std::string& path) {
 }  // namespace
 
 std::string sha256OfPath(const std::string& path) {
+  const Phase phase("reading");
   Digest digest;
   for (const std::string& file : filesOf(path)) addFile(digest, file);
   return digest.hex();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/io/formats/volume_source.h"
+#include "core/phase.h"
 
 namespace handlebody {
 
@@ -36,6 +37,7 @@ double evenStep(const TimeAxis& times) {
 }
 
 TimeAxis readTimeAxis(const std::string& path, const VolumeSelection& selection) {
+  const Phase phase("reading");
   const SourcePointer source = openVolume({path, selection}, {});
   if (source->header().isChoice) refuseInput(path, FindingKind::severalToChoose);
   return source->header().times;

@@ -213,6 +213,7 @@ void tellProgress(const ReadProgress& progress, double part) {
 }
 
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection) {
+  const Phase phase("reading");
   const SourcePointer source = openVolume({path, selection}, {});
   VolumeHeader& h = source->header();
   if (!h.isChoice) {

@@ -5,6 +5,7 @@
 
 #include "core/cancellation.h"
 #include "core/evolution/clicked_object.h"
+#include "core/phase.h"
 #include "core/told_error.h"
 
 namespace handlebody {
@@ -25,7 +26,10 @@ CandidateSearch::CandidateSearch(const ActiveContour& contour) : choices_(contou
 }
 
 void CandidateSearch::tell(RunReport& report) {
-  if (thread_.joinable()) thread_.join();
+  if (thread_.joinable()) {
+    const Phase phase(kFindingPhase);  // the thread tells nobody
+    thread_.join();
+  }
   report.candidates = choices_->get().candidates;
   report.isCloseChoice = choices_->get().isCloseChoice;
 }
