@@ -106,6 +106,7 @@ struct StartSurface {
   std::vector<int> among{};
   LabelShape shape{};
   bool isDone = false;  //!< it is the object as it is: nothing grows
+  bool isMesh = false;  //!< the file holds a mesh, as was seen when it was read
   //! mm LPS, in single precision, passes the certificate; null: not read yet (loadStarts).
   std::shared_ptr<const TriangleSoup> mesh{};
   Vec3 inside{0, 0, 0};    //!< mm LPS, a place deep inside: the click where there is none

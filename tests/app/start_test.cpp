@@ -1,7 +1,9 @@
 // --start and --given: surfaces that are there before anything has grown.
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 
 #include "core/collision/body_contact.h"
 #include "core/collision/certify.h"
@@ -356,6 +358,38 @@ TEST_CASE("an encapsulated STL is given, checked, compared and measured as any m
   CHECK(same.at("distances").at("hausdorff_mm") < 1e-9);
   requireRefusal(folder, {"check", folder / "none.stl.dcm"}, 3, "none.stl.dcm");
   requireRefusal(folder, {"edit", stl, "--keep-largest", "-o", folder / "out.stl.dcm"}, 2, "a mesh is");
+}
+
+TEST_CASE(
+    "an encapsulated STL as a PACS names it is given, checked, compared and measured as one called .stl.dcm",
+    "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), stl = ballMesh(folder, "m.stl", 6),
+                    plain = folder / "m.stl.dcm", dicom = folder / GENERATE("IM0001.dcm", "IM0001");
+  writeDicomStl({{{}, readMesh(stl)}}, {}, {}, plain);
+  std::filesystem::copy_file(plain, dicom);
+  require({"check", dicom});
+  require({"measure", dicom, "--csv", folder / "m.csv"});
+  require({"edit", dicom, "--keep-largest", "-o", folder / "edited.stl"});
+  const auto same = runForJson({"compare", dicom, plain, "--json"});
+  CHECK(same.at("a").at("kind") == "mesh");
+  CHECK(same.at("distances").at("hausdorff_mm") < 1e-9);
+  requireRefusal(folder, {"compare", dicom, stl, "--label-a", "1"}, 2, "is a mesh");
+  require({"segment", volume, "--given", dicom, "-o", folder / "given.stl", "--session", folder / "s.json"});
+  CHECK(readMesh(folder / "given.stl").points == readMesh(stl).points);
+  require({"replay", folder / "s.json", "-o", folder / "again.stl"});
+  CHECK(bytes(folder / "again.stl") == bytes(folder / "given.stl"));
+}
+
+TEST_CASE("a DICOM Segmentation as a PACS names it is a label map and no mesh", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), dicom = folder / "IM0001";
+  writeOverlappingDicom({{"Ball", {}, inBall(kMiddle, 6)}}, cubicGrid(41), folder / "l.seg.dcm");
+  std::filesystem::rename(folder / "l.seg.dcm", dicom);
+  require({"segment", volume, "--given", dicom, "--start-label", "Ball", "-o", folder / "given.stl"});
+  CHECK(volumeOf(folder / "given.stl") == Approx(4. / 3 * std::numbers::pi * 216).epsilon(0.1));
+  CHECK(runForJson({"compare", dicom, folder / "given.stl", "--json"}).at("a").at("kind") == "label map");
+  requireRefusal(folder, {"check", dicom}, 3, "not a mesh");
 }
 
 TEST_CASE("what cannot be a start is refused with its file and why", "[cli][start]") {

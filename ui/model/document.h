@@ -160,7 +160,7 @@ class Document : public QObject {
   void setActiveObject(int index);
   //! Behind the others, and active. Name, colour and label value are such as no other has.
   void addObject();
-  //! What is in a mesh (.stl .vtp .ply .obj .stl.dcm), or what is chosen of a label map of any format, as
+  //! What is in a mesh (isMeshInputPath), or what is chosen of a label map of any format, as
   //! objects, in one undo entry: those that are done before the first object that has no surface yet, so that
   //! they are walls for it; else behind the others, the first of them active. Read and made on a worker
   //! thread: openingObjects(), then objectsOpened(), openingObjectsFailed() or openingObjectsCancelled().

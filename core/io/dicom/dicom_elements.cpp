@@ -7,7 +7,7 @@
 namespace handlebody {
 namespace {
 
-constexpr std::uint32_t kTransferSyntax = 0x00020010u;
+constexpr std::uint32_t kMediaClass = 0x00020002u, kTransferSyntax = 0x00020010u;
 constexpr std::uint64_t kPreamble = 128;  // bytes, before "DICM"
 constexpr int kDeepest = 32;              // sequences within sequences; real files have a handful
 
@@ -96,6 +96,7 @@ DicomBeginning DicomElements::beginning() const {
   DicomElement e;
   while (read(b.at, true, e) && e.tag >> 16 == 2) {
     if (!skip(e, b.at, true)) return b;
+    if (e.tag == kMediaClass) b.mediaClass = text(e);
     if (e.tag == kTransferSyntax) b.syntax = text(e);
   }
   b.whole = b.at + 8 <= size();

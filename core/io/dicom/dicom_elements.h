@@ -21,8 +21,9 @@ struct DicomElement {
 //! How the data set of a file begins.
 struct DicomBeginning {
   std::uint64_t at = 0;
-  std::string syntax{};  //!< UID of the transfer syntax; empty: not said
-  bool whole = false;    //!< all before it lies within the file, and something comes
+  std::string syntax{};      //!< UID of the transfer syntax; empty: not said
+  std::string mediaClass{};  //!< UID of the SOP class, as what stands before the data set says it
+  bool whole = false;        //!< all before it lies within the file, and something comes
 
   //! Neither deflated nor big-endian.
   bool isLittleEndian() const;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/dicom/dicom_class.h"
 #include "core/io/dicom/dicom_structure.h"
 #include "core/io/formats/dicom_origin.h"
 #include "core/volume/volume.h"
@@ -26,8 +27,6 @@ struct DicomPlace {
 
   bool complete() const { return position && rowDirection && columnDirection && pixelSpacing; }
 };
-
-inline constexpr const char* kSegmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
 
 //! The volumes of a Philips Cartesian echo (dicom_echo.h).
 struct CartesianEcho {

@@ -2,15 +2,12 @@
 
 #include "core/io/dicom/dicom_segments.h"
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <fstream>
-#include <string_view>
+#include <utility>
 
 #include "core/io/dicom/cie_lab.h"
+#include "core/io/dicom/dicom_class.h"
 #include "core/io/dicom/dicom_elements.h"
-#include "core/io/dicom/dicom_header.h"
 
 namespace handlebody {
 
@@ -24,17 +21,6 @@ constexpr std::uint32_t kCharacterSet = 0x00080005u, kCodeValue = 0x00080100u, k
 
 //! Where the segments lie at the latest: behind the references to images, of which 100,000 take some 15 MB.
 constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
-
-std::string beginningOf(const fs::path& file) {
-  std::error_code failed;
-  const auto size = fs::file_size(file, failed);
-  if (failed || !fs::is_regular_file(file, failed)) return {};
-  std::string bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMaxBytes)), '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(std::max<std::streamsize>(0, stream.gcount()));
-  return bytes;
-}
 
 std::string utf8OfLatin1(const std::string& text) {
   std::string out;
@@ -100,17 +86,10 @@ FileLabels Reader::read() {
   return labels_;
 }
 
-//! By the class in the first elements, before anything is read: a folder may hold many large files.
-bool isSegmentation(const fs::path& file) {
-  std::array<char, 1024> start{};
-  std::ifstream(file, std::ios::binary).read(start.data(), start.size());
-  const std::string_view text(start.data(), start.size());
-  return text.substr(128, 4) == "DICM" && text.find(kSegmentationClass) != std::string_view::npos;
-}
-
-FileLabels labelsOfFile(const fs::path& file) {
-  if (!isSegmentation(file)) return {};
-  const std::string bytes = beginningOf(file);
+//! By its class first, before more of it is read: a folder may hold many large files.
+FileLabels labelsOfFile(const std::string& file) {
+  if (!isDicomSegmentationFile(file)) return {};
+  const std::string bytes = firstBytes(file, kMaxBytes);
   return Reader(bytes).read();
 }
 
@@ -121,7 +100,7 @@ FileLabels readDicomLabels(const std::string& path) {
   if (!fs::is_directory(path, failed)) return labelsOfFile(path);
   FileLabels found;
   for (fs::directory_iterator entry(path, failed), end; !failed && entry != end; entry.increment(failed)) {
-    FileLabels labels = labelsOfFile(entry->path());
+    FileLabels labels = labelsOfFile(entry->path().string());
     if (!labels.empty() && !found.empty()) return {};
     if (!labels.empty()) found = std::move(labels);
   }

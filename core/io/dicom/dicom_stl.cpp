@@ -4,14 +4,13 @@
 #include <cstring>
 
 #include "core/io/atomic_file.h"
+#include "core/io/dicom/dicom_class.h"
 #include "core/io/dicom/dicom_dataset.h"
 #include "core/io/meshes/mesh_files.h"
 
 namespace handlebody {
 
 namespace {
-
-constexpr const char* kEncapsulatedStl = "1.2.840.10008.5.1.4.1.1.104.3";
 
 void put(DcmItem& data, const DcmTagKey& tag, const std::string& value) {
   data.putAndInsertString(tag, value.c_str());
@@ -42,7 +41,7 @@ std::string stlBytes(const std::vector<ExportedObject>& objects) {
 }
 
 void addSeries(DcmItem& data, const DicomOrigin& origin, const DicomContent& content) {
-  put(data, DCM_SOPClassUID, kEncapsulatedStl);
+  put(data, DCM_SOPClassUID, kEncapsulatedStlClass);
   put(data, DCM_SOPInstanceUID, dicom::newUid());
   put(data, DCM_Modality, "M3D");
   put(data, DCM_SeriesInstanceUID, dicom::newUid());

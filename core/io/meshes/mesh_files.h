@@ -36,6 +36,8 @@ MeshFile readStlBytes(std::string_view bytes, const std::string& path);
 //! The STL within DICOM (Encapsulated STL). In this process: what looks for it is our own walk, which checks
 //! every bound, and no library for DICOM has a part in it.
 MeshFile readDicomStl(const std::string& path);
+//! True for a file that is there and says at its beginning that it is one.
+bool isEncapsulatedStlFile(const std::string& path);
 
 //! VTK's messages go nowhere while one of these lives; errors are found through error codes and observers.
 class VtkSilence {

@@ -20,7 +20,8 @@ enum class CoordinateSpace { lps, ras };
 
 //! True for .stl .vtp .ply .obj (any case): what writeMesh writes.
 bool isMeshPath(const std::string& path);
-//! The same and .stl.dcm, the STL within DICOM: what readMesh reads.
+//! What readMesh reads. The same and .stl.dcm, the STL within DICOM, by the name, whether there is such a
+//! file or not; and a file that is there and holds an STL within DICOM, by a look at its first few kB.
 bool isMeshInputPath(const std::string& path);
 //! True for .nii .nii.gz .nrrd .mha (any case).
 bool isLabelMapPath(const std::string& path);
@@ -49,7 +50,7 @@ void writeMesh(const TriangleSoup& mesh, const std::string& path,
 void writeMeshWithValues(const TriangleSoup& mesh, const std::vector<double>& values, const std::string& name,
                          const std::string& path);
 
-//! Reads .stl .vtp .ply .obj .stl.dcm; STL vertices with equal coordinates are merged. RAS files that say so
+//! Reads what isMeshInputPath knows; STL vertices with equal coordinates are merged. RAS files that say so
 //! come back as LPS. `decoder` reads .vtp. Throws InputError.
 TriangleSoup readMesh(const std::string& path, const DecoderSettings& decoder = {});
 

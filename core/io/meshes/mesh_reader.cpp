@@ -204,17 +204,17 @@ namespace {
 
 MeshFile readAny(const std::string& path, const DecoderSettings& decoder) {
   const std::string name = lowered(path);
-  if (name.ends_with(".stl.dcm")) return readDicomStl(path);
   if (name.ends_with(".stl")) return readStl(path);
   if (name.ends_with(".ply")) return readPly(path);
   if (name.ends_with(".vtp")) return readVtp(path, decoder);
-  return readObj(path);
+  if (name.ends_with(".obj")) return readObj(path);
+  return readDicomStl(path);
 }
 
 }  // namespace
 
 bool isMeshInputPath(const std::string& path) {
-  return isMeshPath(path) || lowered(path).ends_with(".stl.dcm");
+  return isMeshPath(path) || lowered(path).ends_with(".stl.dcm") || isEncapsulatedStlFile(path);
 }
 
 TriangleSoup readMesh(const std::string& path, const DecoderSettings& decoder) {

@@ -87,6 +87,7 @@ struct ReadStart {
   std::shared_ptr<const TriangleSoup> mesh;
   Vec3 inside{0, 0, 0};
   std::size_t shared = 0;
+  bool isMesh = false;
 };
 
 //! What a file was asked for.
@@ -152,7 +153,9 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
   const std::string hash = sha256OfPath(key.path);
   if (isMeshInputPath(key.path)) {
     if (label) refuseStart(key.path, K::meshWithoutLabels);
-    return {{0, readStart(key.path, hash, readMesh(key.path, decoder))}};
+    ReadStart read = readStart(key.path, hash, readMesh(key.path, decoder));
+    read.isMesh = true;
+    return {{0, std::move(read)}};
   }
   LabelFile labels(key.path, decoder);
   std::vector<int> values = key.among;
@@ -196,6 +199,7 @@ void take(StartSurface& start, const std::map<int, ReadStart>& file) {
   start.mesh = read.mesh;
   start.inside = read.inside;
   start.shared = read.shared;
+  start.isMesh = read.isMesh;
 }
 
 }  // namespace
@@ -233,7 +237,7 @@ Finding sharedVoxels(const Constraints& constraints) {
 }
 
 bool isMeshAsItIs(const Constraints& constraints) {
-  return constraints.start && constraints.start->isDone && isMeshInputPath(constraints.start->path);
+  return constraints.start && constraints.start->isDone && constraints.start->isMesh;
 }
 
 }  // namespace handlebody

@@ -27,7 +27,8 @@ void findByName(StartSurface& start);
 //! How many voxels of its label were left to smaller ones; none if there are none, or there is no label.
 Finding sharedVoxels(const Constraints& constraints);
 
-//! The object is a mesh as it is, which nothing is to change: neither growth nor polishing.
+//! The object is a mesh as it is, which nothing is to change: neither growth nor polishing. Of starts that
+//! have been read.
 bool isMeshAsItIs(const Constraints& constraints);
 
 }  // namespace handlebody

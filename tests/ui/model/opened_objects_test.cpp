@@ -248,7 +248,7 @@ TEST_CASE("the segments of a file become objects with the names, colours and ter
 
 TEST_CASE("an encapsulated STL is opened as any mesh", "[objects][opened]") {
   OpeningWork work;
-  const QString path = work.torus.file("ball.stl.dcm");
+  const QString path = work.torus.file(GENERATE("ball.stl.dcm", "ball.dcm", "ball"));
   writeDicomStl({{{}, icosphere(testing::kMiddle, 4, 1.0)}}, {}, {}, path.toStdString());
   REQUIRE(work.open(path, OpenAs::done));
   CHECK(nameOf(work.document, 0) == "ball");

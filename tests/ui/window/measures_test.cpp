@@ -387,7 +387,7 @@ void MeasuresTest::aLabelOfAReferenceIsChosenByItsName() {
   auto* box = page.findChild<QComboBox*>();
   QCOMPARE(box->accessibleName(), QString("Label of the reference"));
   QVERIFY(!box->isVisible());
-  for (const char* name : {"balls.seg.nrrd", "balls.seg.dcm", "balls.nii.gz"}) {
+  for (const char* name : {"balls.seg.nrrd", "balls.seg.dcm", "IM0001.dcm", "balls.nii.gz"}) {
     page.compareWith(writeBalls(folder, window->document().volume().grid, name));
     QVERIFY(isCompared(page));
     QVERIFY(!page.shown()->b.label);  // all of them at first
@@ -409,12 +409,17 @@ void MeasuresTest::aLabelOfAReferenceIsChosenByItsName() {
     QCOMPARE(box->count(), 3);
   }
   // A mesh has none.
-  const QString mesh = folder.filePath("reference.ply");
-  writeMesh(icosphere(Vec3(28, 16, 16), 9, 0.8), mesh.toStdString());
-  page.compareWith(mesh);
-  QVERIFY(!box->isVisible());
-  QVERIFY(isCompared(page));
-  QVERIFY(!page.shown()->b.label);
+  const TriangleSoup ball = icosphere(Vec3(28, 16, 16), 9, 0.8);
+  const QString mesh = folder.filePath("reference.ply"), dicom = folder.filePath("IM0002");
+  writeMesh(ball, mesh.toStdString());
+  writeDicomStl({{{}, ball}}, {}, {}, dicom.toStdString());
+  for (const QString& path : {mesh, dicom}) {
+    page.compareWith(path);
+    QVERIFY(!box->isVisible());
+    QVERIFY(isCompared(page));
+    QVERIFY(!page.shown()->b.label);
+    QVERIFY(!page.shown()->b.solid.mask);
+  }
 }
 
 void MeasuresTest::labelsThatCannotBeListedSayWhy() {

@@ -102,6 +102,8 @@ class ObjectsWindowTest : public QObject {
   void propertiesAreChangedInADialog();
   void allAreExportedTogether();
   void aDroppedMeshIsAskedAboutAndBecomesAnObject();
+  void droppedDicomIsKnownByWhatIsInIt();
+  void anotherLayerOfAnOpenSegmentationIsNoObjectOfIt();
   void ofALabelMapWhatIsCheckedIsOpened();
   void howLabelsBecomeSurfacesIsChosen();
   void thatSegmentsOverlapIsTold();
@@ -293,6 +295,24 @@ QString writeSegments(const QTemporaryDir& folder) {
   return path;
 }
 
+void drop(ui::MainWindow& window, const QString& path) {
+  QMimeData mime;
+  mime.setUrls({QUrl::fromLocalFile(path)});
+  QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);  // without it Qt drops the drop
+  QDropEvent event(QPointF(300, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &event);
+}
+
+//! The segments of writeSegments() within DICOM, under a name as media of a PACS have it.
+QString writeDicomSegments(const QTemporaryDir& folder, const char* name) {
+  const QString path = folder.filePath(QString::fromLatin1(name));
+  test::writeOverlappingDicom(
+      {{"Liver", {}, test::inBall(kLeft, 7)}, {"Lesion", {}, test::inBall(kLeft + Vec3(6, 0, 0), 4)}},
+      testing::cubicGrid(41), path.toStdString());
+  return path;
+}
+
 void ObjectsWindowTest::aDroppedMeshIsAskedAboutAndBecomesAnObject() {
   const QTemporaryDir folder;
   auto window = shownWindow();
@@ -300,12 +320,7 @@ void ObjectsWindowTest::aDroppedMeshIsAskedAboutAndBecomesAnObject() {
   const QString path = folder.filePath("old lesion.stl");
   writeMesh(icosphere(kRight, 4, 1.2), path.toStdString());
   QSignalSpy opened(&window->document(), &ui::Document::objectsOpened);
-  QMimeData mime;
-  mime.setUrls({QUrl::fromLocalFile(path)});
-  QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(window.get(), &enter);  // without it Qt drops the drop
-  QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(window.get(), &drop);
+  drop(*window, path);
   QVERIFY(askedOf(*window));
   QVERIFY(!askedOf(*window)->findChild<QListWidget*>());
   QVERIFY(answer(*window, "Done"));
@@ -326,6 +341,46 @@ void ObjectsWindowTest::aDroppedMeshIsAskedAboutAndBecomesAnObject() {
   QVERIFY(answer(*window, "Cancel"));
   QVERIFY(!askedOf(*window));
   QCOMPARE(window->document().objectCount(), 3);
+}
+
+void ObjectsWindowTest::droppedDicomIsKnownByWhatIsInIt() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window);
+  const QString surface = folder.filePath("IM0003");
+  writeDicomStl({{{}, icosphere(kRight, 4, 1.2)}}, {}, {}, surface.toStdString());
+  drop(*window, surface);
+  QVERIFY(window->messages().text().contains("is a surface"));
+  QVERIFY(open(*window, writeBalls(folder)));
+  const QString volume = window->document().path();
+  for (const char* name : {"IM0001.dcm", "IM0002"}) {
+    drop(*window, writeDicomSegments(folder, name));
+    QVERIFY2(askedOf(*window), name);
+    auto* list = askedOf(*window)->findChild<QListWidget*>();
+    QVERIFY(list);
+    QTRY_COMPARE_WITH_TIMEOUT(list->count(), 2, kPatience);
+    QCOMPARE(list->item(0)->text(), QString("1: Liver"));
+    QVERIFY(answer(*window, "Cancel"));
+  }
+  QSignalSpy opened(&window->document(), &ui::Document::objectsOpened);
+  drop(*window, surface);
+  QVERIFY(askedOf(*window) && !askedOf(*window)->findChild<QListWidget*>());
+  QVERIFY(answer(*window, "Done"));
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  QCOMPARE(window->document().objectCount(), 2);
+  QCOMPARE(window->document().path(), volume);
+}
+
+void ObjectsWindowTest::anotherLayerOfAnOpenSegmentationIsNoObjectOfIt() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  const QString path = writeDicomSegments(folder, "IM0001");
+  QVERIFY(window && open(*window, path));
+  QSignalSpy opened(&window->document(), &ui::Document::opened);
+  window->files().open(path, {.frame = 1});  // as the step Open does
+  QVERIFY(!askedOf(*window));
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  QCOMPARE(window->document().selection().frame.value_or(0), 1);
 }
 
 void ObjectsWindowTest::ofALabelMapWhatIsCheckedIsOpened() {

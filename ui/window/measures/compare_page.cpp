@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -215,13 +216,12 @@ void ComparePage::compareWithObject(int index) {
 
 void ComparePage::refer(const QString& path, const ObjectKey& object) {
   path_ = path;
+  isLabelMap_ = !path.isEmpty() && !isMeshInputPath(QFile::encodeName(path).toStdString());
   object_ = object;
   objectName_.clear();
   knowsLabels_ = false;
   showLabels({});
 }
-
-bool ComparePage::isLabelMap() const { return !path_.isEmpty() && !isMeshInputPath(path_.toStdString()); }
 
 std::optional<MeasuredSurface> ComparePage::surfaceOf(int index) const {
   if (!document_.hasVolume() || index < 0) return std::nullopt;
@@ -255,7 +255,7 @@ std::optional<CompareQuestion> ComparePage::question() const {
   auto surface = surfaceOf(document_.activeObject());
   if (!surface) return std::nullopt;
   CompareQuestion question{std::move(*surface), path_};
-  if (const QVariant label = label_->currentData(); isLabelMap() && label.isValid())
+  if (const QVariant label = label_->currentData(); isLabelMap_ && label.isValid())
     question.label = label.toInt();
   if (!path_.isEmpty()) return question;
   const int index = indexOf(object_);
@@ -393,7 +393,7 @@ void ComparePage::showReference() {
   reference_->setText(name.isEmpty() ? tr("No reference is chosen.")
                                      : QFontMetrics(font()).elidedText(name, Qt::ElideMiddle, kTools - 10));
   reference_->setToolTip((path_.isEmpty() ? objectName_ : path_).toHtmlEscaped());
-  labelRow_->setVisible(isLabelMap());
+  labelRow_->setVisible(isLabelMap_);
   label_->setEnabled(label_->count() > 1);
   labelNote_->setText(labelError_);
   labelNote_->setVisible(!labelError_.isEmpty());

@@ -73,7 +73,6 @@ class ComparePage : public QWidget {
   std::vector<int> otherObjects() const;
   int indexOf(const ObjectKey& object) const;
   std::optional<CompareQuestion> question() const;
-  bool isLabelMap() const;
   bool isEarlier() const;
   QString stateText() const;
   std::shared_ptr<const ComparedPair> told() const;
@@ -87,9 +86,10 @@ class ComparePage : public QWidget {
   QProgressBar* progress_;
   QPushButton *choose_, *again_, *csv_, *json_, *vtp_;
   QTableWidget* table_;
-  QString path_;        //!< of the reference; empty: it is an object, or none
-  ObjectKey object_;    //!< that is the reference
-  QString objectName_;  //!< and what it was called when it was last seen
+  QString path_;             //!< of the reference; empty: it is an object, or none
+  bool isLabelMap_ = false;  //!< as the file was when it was chosen
+  ObjectKey object_;         //!< that is the reference
+  QString objectName_;       //!< and what it was called when it was last seen
   bool knowsLabels_ = false;
   QString labelError_;
   CompareAnswer answer_;

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/io/atomic_file.h"
+#include "core/io/dicom/dicom_class.h"
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/label_map.h"
 #include "core/io/meshes/mesh_io.h"
@@ -72,6 +73,13 @@ QString samplePath() {
 
 // It belongs to the program: to save must not overwrite it.
 bool isSample(const QString& path) { return QFileInfo(path).canonicalFilePath() == samplePath(); }
+
+bool isSegmentation(const std::string& path) {
+  return isSlicerSegmentationPath(path) || isDicomSegmentationPath(path) || isDicomSegmentationFile(path);
+}
+
+// Of a volume that is open or being opened: another layer of a segmentation, say, is no object of it.
+bool isPartOfFile(const VolumeSelection& chosen) { return chosen.series || chosen.frame || chosen.spacing; }
 
 // A file name without ".nii.gz" and its like.
 QString baseName(const QString& path) {
@@ -213,11 +221,11 @@ void FileWork::connectObjects() {
 
 void FileWork::open(const QString& path, const VolumeSelection& selection) {
   const std::string name = QFile::encodeName(path).toStdString();
-  if (isMeshInputPath(name) && !document_.hasVolume())
+  const bool isMesh = isMeshInputPath(name);
+  if (isMesh && !document_.hasVolume())
     return messages_.show(MessageBar::Kind::error,
                           tr("%1 is a surface: open the volume first that it lies in.").arg(path));
-  if (isMeshInputPath(name) ||
-      (document_.hasVolume() && (isSlicerSegmentationPath(name) || isDicomSegmentationPath(name))))
+  if (isMesh || (document_.hasVolume() && !isPartOfFile(selection) && isSegmentation(name)))
     return openObjects(path);
   whenSaved([this, path, selection] {
     begin(path, selection);
