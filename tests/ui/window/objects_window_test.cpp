@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableWidget>
@@ -464,9 +465,14 @@ void ObjectsWindowTest::thatSegmentsOverlapIsTold() {
   QVERIFY(askedLabels(*window, writeSegments(folder)));
   const auto* overlap = called<QLabel>(*askedOf(*window), "Segments that overlap");
   QVERIFY(overlap && overlap->isVisible());
+  auto* progress = window->findChild<QProgressDialog*>();
+  QVERIFY(progress);
+  progress->setMinimumDuration(0);  // as if it took long
   QVERIFY(answer(*window, "Done"));
+  QVERIFY(QTest::qWaitFor([&] { return progress->isVisible() || !opened.isEmpty(); }, kPatience));
   QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
   QVERIFY(window->messages().text().contains("overlap"));
+  QVERIFY(!progress->isVisible());
   QVERIFY(QTest::qWaitFor([&] { return document.objectInfo(0).snapshot != nullptr; }, kPatience));
   window->showStep(Command::stepGrow);
   document.setActiveObject(0);  // the liver, which is the larger one

@@ -201,6 +201,7 @@ void FileWork::connectObjects() {
   });
   const auto end = [this, progress](MessageBar::Kind kind, const QString& text) {
     progress->reset();
+    progress->hide();  // which reset leaves to whoever does not close by itself
     if (!text.isEmpty()) messages_.show(kind, text);
   };
   connect(&document_, &Document::objectsOpened, progress,
