@@ -68,6 +68,14 @@ LabelMesh meshOf(const Mask& mask, const MeshOptions& o) try {
   throw InputError(o.labels + ": it " + error.what() + ".");
 }
 
+//! It was certified as it was made: what fails then is the rounding.
+CertifiedMesh rounded(const TriangleSoup& mesh, const MeshOptions& o) try {
+  return certifiedForExport(mesh);
+} catch (const std::runtime_error&) {
+  throw InputError(o.labels +
+                   ": its surface intersects itself in single precision: it lies too far from the origin.");
+}
+
 std::optional<PolishReport> polish(CertifiedMesh& made, const Grid& grid, const MeshOptions& o) {
   if (!o.polish.value_or(true)) return std::nullopt;
   PolishOptions options;
@@ -110,7 +118,7 @@ int mesh(const MeshOptions& o) {
   const ExportContext context{info.grid, o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
                               info.dicom, o.content, o.mesherSeconds};
   for (const std::string& path : o.results) checkResult(path, context);
-  CertifiedMesh made = certifiedForExport(meshOf(maskIn(file, o, label), o).mesh);
+  CertifiedMesh made = rounded(meshOf(maskIn(file, o, label), o).mesh, o);
   const std::optional<PolishReport> polished = polish(made, info.grid, o);
   {
     const DeferSignals whole;

@@ -182,6 +182,10 @@ TEST_CASE("what is no label map, or has nothing to mesh, is refused in one sente
   requireRefusal(folder, {"mesh", labels, "-o", folder / "missing/m.stl"}, 2, "-o");
   requireRefusal(folder, {"mesh", labels, "-o", folder / "m.seg.dcm"}, 2, "m.seg.dcm");
   requireRefusal(folder, {"mesh", folder / "none.mha", "-o", out}, 3, "none.mha");
+  std::string far = someLabels();
+  far.insert(far.find("ElementSpacing"), "Offset = 0 0 99999999999\n");
+  writeBytes(folder / "far.mha", far);
+  requireRefusal(folder, {"mesh", folder / "far.mha", "--label", "1", "-o", out}, 3, "single precision");
   requireRefusal(folder, {"mesh", folder / "letter.nii", "-o", out}, 3, "letter.nii");
   requireRefusal(folder, {"mesh", folder / "zero.mha", "-o", out}, 3, "zero.mha");
   requireRefusal(folder, {"mesh", labels, "--label", "9", "-o", out}, 3, "9");
