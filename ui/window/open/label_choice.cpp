@@ -7,20 +7,18 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/window/widgets/icons.h"
 #include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
 
 namespace {
 
-constexpr int kSwatch = 12, kFewestRows = 4;
+constexpr int kFewestRows = 4;
 
 //! As the object will be coloured; one whose file says nothing gets a colour of its own when it is opened.
 QIcon swatchOf(const FileLabel& label) {
-  const ObjectLabel shown = labelledAs(label, {});
-  QPixmap pixmap(kSwatch, kSwatch);
-  pixmap.fill(label.hasLook() ? QColor(shown.colour[0], shown.colour[1], shown.colour[2]) : Qt::transparent);
-  return pixmap;
+  return label.hasLook() ? swatch(labelledAs(label, {}).colour) : QIcon();
 }
 
 QString textOf(const NamedLabel& label) {
@@ -37,7 +35,6 @@ LabelChoice::LabelChoice(QWidget* parent) : QWidget(parent) {
   auto* title = new QLabel(tr("&Labels to open"), this);
   list_ = new QListWidget(this);
   list_->setMinimumHeight(kFewestRows * fontMetrics().lineSpacing() + 2 * list_->frameWidth());
-  list_->setIconSize(QSize(kSwatch, kSwatch));
   describe(list_, tr("Labels to open"),
            tr("Each that is checked becomes an object, called and coloured as the file says"));
   title->setBuddy(list_);
