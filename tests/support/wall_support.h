@@ -1,7 +1,6 @@
 #pragma once
 // How far a surface keeps from walls, by formulas of its own: brute force over all faces and walls.
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
@@ -12,16 +11,19 @@ namespace handlebody::testing {
 
 //! Distance of p from a triangle by minimizing over it: the foot in its plane, or the nearest of its edges.
 inline double bruteDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto toSegment = [&](const Vec3& u, const Vec3& v) {
-    const double l = (v - u).squaredNorm();
-    const double t = l > 0 ? std::clamp((p - u).dot(v - u) / l, 0.0, 1.0) : 0;
-    return (u + t * (v - u) - p).norm();
+  const auto toSegment = [&](const Vec3& from, const Vec3& end) {
+    const double l = (end - from).squaredNorm();
+    const double along = l > 0 ? std::clamp((p - from).dot(end - from) / l, 0.0, 1.0) : 0;
+    return (from + along * (end - from) - p).norm();
   };
   double best = std::min({toSegment(a, b), toSegment(b, c), toSegment(c, a)});
-  Eigen::Matrix<double, 3, 2> edges;
-  edges << b - a, c - a;
-  const Eigen::Vector2d st = edges.colPivHouseholderQr().solve(p - a);
-  if (st[0] >= 0 && st[1] >= 0 && st.sum() <= 1) best = std::min(best, (a + edges * st - p).norm());
+  // Cramer's rule: Eigen's decompositions take 8 s to compile in each file that reads this.
+  const Vec3 u = b - a, v = c - a, to = p - a;
+  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
+  if (determinant <= 0) return best;
+  const double s = (vv * u.dot(to) - uv * v.dot(to)) / determinant;
+  const double t = (uu * v.dot(to) - uv * u.dot(to)) / determinant;
+  if (s >= 0 && t >= 0 && s + t <= 1) best = std::min(best, (s * u + t * v - to).norm());
   return best;
 }
 

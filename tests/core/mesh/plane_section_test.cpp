@@ -1,6 +1,5 @@
 #include "core/mesh/plane_section.h"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -83,13 +82,15 @@ TEST_CASE("Each segment of a section lies in the triangle that is named for it",
   for (std::size_t i = 0; i < section.size(); ++i) {
     const Triangle& t = mesh.triangles[crossed[i]];
     const Vec3 corner = mesh.points[t[0]];
-    Eigen::Matrix<double, 3, 2> edges;
-    for (int c = 0; c < 2; ++c) edges.col(c) = mesh.points[t[static_cast<std::size_t>(c) + 1]] - corner;
+    const Vec3 u = mesh.points[t[1]] - corner, v = mesh.points[t[2]] - corner;
+    const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
     for (const Vec3& end : section[i]) {
-      const Eigen::Vector2d place = edges.colPivHouseholderQr().solve(end - corner);
-      CHECK((edges * place - (end - corner)).norm() < 1e-9);
-      CHECK(place.minCoeff() > -1e-9);
-      CHECK(place.sum() < 1 + 1e-9);
+      const Vec3 to = end - corner;  // written as a u + b v (Cramer's rule)
+      const double a = (vv * u.dot(to) - uv * v.dot(to)) / determinant;
+      const double b = (uu * v.dot(to) - uv * u.dot(to)) / determinant;
+      CHECK((a * u + b * v - to).norm() < 1e-9);
+      CHECK(std::min(a, b) > -1e-9);
+      CHECK(a + b < 1 + 1e-9);
     }
   }
 }
