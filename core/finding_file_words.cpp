@@ -239,7 +239,7 @@ constexpr FindingWords kWords[] = {
     {K::meshDamaged, "mesh-damaged", QT_TRANSLATE_NOOP("Findings", "the mesh file is truncated or damaged")},
     {K::notStl, "not-stl", QT_TRANSLATE_NOOP("Findings", "it is not an STL file, or it is truncated")},
     {K::notAMesh, "not-a-mesh",
-     QT_TRANSLATE_NOOP("Findings", "it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)")},
+     QT_TRANSLATE_NOOP("Findings", "it is not a mesh file (.stl, .vtp, .ply, .obj, .3mf, .stl.dcm)")},
     {K::triangleStrips, "triangle-strips",
      QT_TRANSLATE_NOOP("Findings", "triangle strips are not supported")},
     {K::noTriangles, "no-triangles", QT_TRANSLATE_NOOP("Findings", "it holds no triangles")},
@@ -253,6 +253,9 @@ constexpr FindingWords kWords[] = {
     {K::vertexDamaged, "vertex-damaged", QT_TRANSLATE_NOOP("Findings", "a vertex is not three numbers")},
     {K::trianglesWithoutArea, "triangles-without-area",
      QT_TRANSLATE_NOOP("Findings", "its triangles have no area")},
+    {K::encryptedFile, "encrypted-file", QT_TRANSLATE_NOOP("Findings", "it is encrypted")},
+    {K::extensionNotSupported, "extension-not-supported",
+     QT_TRANSLATE_NOOP("Findings", "it needs an extension of {format} that is not supported ({extension})")},
 
     {K::hasNoTriangles, "has-no-triangles", QT_TRANSLATE_NOOP("Findings", "has no triangles")},
     {K::isNotClosed, "is-not-closed", QT_TRANSLATE_NOOP("Findings", "is not closed")},

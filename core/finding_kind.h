@@ -352,6 +352,8 @@ enum class FindingKind {
   faceDamaged,
   vertexDamaged,
   trianglesWithoutArea,
+  encryptedFile,
+  extensionNotSupported,  //!< format, extension
 
   // … a surface to begin with: "it …" …
   hasNoTriangles,

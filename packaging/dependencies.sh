@@ -1,7 +1,7 @@
 # Sourced by the scripts beside it: installs the Debian packages that are missing (Debian 12 and 13).
 # shellcheck shell=bash
 
-BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libdcmtk-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev qt6-base-dev qt6-svg-dev qt6-l10n-tools libqt6svg6 pybind11-dev python3-dev"
+BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libdcmtk-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev libzip-dev libexpat1-dev qt6-base-dev qt6-svg-dev qt6-l10n-tools libqt6svg6 pybind11-dev python3-dev"
 TEST_PACKAGES="catch2 clang-format doxygen libcgal-dev xvfb xauth fonts-dejavu-core fonts-droid-fallback qt6-translations-l10n python3-numpy python3-pytest python3-matplotlib python3-pydicom dcmtk dicom3tools assimp-utils gmsh tetgen slurmctld slurmd slurm-client"
 PACKAGE_PACKAGES="file dpkg-dev fakeroot"
 COVERAGE_PACKAGES="gcovr"

@@ -117,7 +117,7 @@ void bindMesh(py::module_& module) {
       "volume. Raises UsageError, OutputError; RuntimeError for a mesh that fails its certificate.");
   mesh.def("__repr__", &nameOf);
   module.def("read_mesh", &readMeshOf, py::arg("path"),
-             "read_mesh(path)\n\nReads .stl, .vtp, .ply, .obj or .stl.dcm. Raises InputError.");
+             "read_mesh(path)\n\nReads .stl, .vtp, .ply, .obj, .3mf or .stl.dcm. Raises InputError.");
 }
 
 }  // namespace handlebody::python

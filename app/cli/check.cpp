@@ -108,7 +108,7 @@ int check(const CheckOptions& o) {
 void addCheck(CLI::App& app, Action& action) {
   CLI::App* command = addCommand(app, "check", "The certificate of a mesh; exit code 1 if it does not pass");
   auto options = std::make_shared<CheckOptions>();
-  command->add_option("MESH", options->path, "A .stl, .vtp, .ply, .obj or .stl.dcm file")->required();
+  command->add_option("MESH", options->path, "A .stl, .vtp, .ply, .obj, .3mf or .stl.dcm file")->required();
   command->add_flag("--json", options->json, "As JSON, like \"mesh\" in a report");
   command->callback([&action, options] { action = [options] { return check(*options); }; });
 }

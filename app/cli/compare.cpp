@@ -106,7 +106,7 @@ void addCompare(CLI::App& app, Action& action) {
       app, "compare", "Two objects against each other: Dice, IoU, volumes, surface distances, topology");
   auto options = std::make_shared<CompareOptions>();
   const char* help =
-      "A mesh (.stl .vtp .ply .obj .stl.dcm) or a label map (any volume, .seg.nrrd, DICOM Segmentation)";
+      "A mesh (.stl .vtp .ply .obj .3mf .stl.dcm) or a label map (any volume, .seg.nrrd, DICOM Segmentation)";
   command->add_option("A", options->a, help)->required();
   command->add_option("B", options->b, std::string(help) + "; the reference")->required();
   addLabelOption(*command, "--label", options->label,

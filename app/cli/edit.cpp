@@ -371,7 +371,8 @@ void addEdit(CLI::App& app, Action& action) {
       "Tunnels, components and cavities of a mesh: lists them; with -o, closes, removes and fills them, "
       "smooths, pulls and cuts");
   auto options = std::make_shared<EditOptions>();
-  command->add_option("MESH", options->path, "A .stl, .vtp, .ply, .obj or .stl.dcm file that passes `check`");
+  command->add_option("MESH", options->path,
+                      "A .stl, .vtp, .ply, .obj, .3mf or .stl.dcm file that passes `check`");
   addEdits(*command, *options);
   addTouches(*command);
   addPolish(*command, *options);

@@ -248,7 +248,7 @@ void addMeasure(CLI::App& app, Action& action) {
       command
           ->add_option(
               "MESH", options->path,
-              "A certified mesh (.stl .vtp .ply .obj .stl.dcm), or a session or report (JSON), which is "
+              "A certified mesh (.stl .vtp .ply .obj .3mf .stl.dcm), or a session or report (JSON), which is "
               "grown again")
           ->required();
   command

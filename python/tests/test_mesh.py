@@ -56,7 +56,7 @@ def test_a_label_map_lies_on_any_grid(ball, grown):
         mesh.label_map((3, 3, 3))
 
 
-@pytest.mark.parametrize("ending", [".stl", ".vtp", ".ply", ".obj"])
+@pytest.mark.parametrize("ending", [".stl", ".vtp", ".ply", ".obj", ".3mf"])
 def test_a_written_mesh_is_read_back_the_same(grown, tmp_path, ending):
     mesh = grown.mesh()
     mesh.save(tmp_path / ("mesh" + ending))

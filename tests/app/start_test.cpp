@@ -12,6 +12,7 @@
 #include "core/io/formats/label_map.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/meshes/three_mf.h"
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
@@ -358,6 +359,22 @@ TEST_CASE("an encapsulated STL is given, checked, compared and measured as any m
   CHECK(same.at("distances").at("hausdorff_mm") < 1e-9);
   requireRefusal(folder, {"check", folder / "none.stl.dcm"}, 3, "none.stl.dcm");
   requireRefusal(folder, {"edit", stl, "--keep-largest", "-o", folder / "out.stl.dcm"}, 2, "a mesh is");
+}
+
+TEST_CASE("a 3MF file is given, checked, compared, measured and edited as any mesh", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), stl = ballMesh(folder, "m.stl", 6), print = folder / "m.3mf";
+  writeThreeMf({{{}, readMesh(stl)}}, print, CoordinateSpace::ras);
+  require({"check", print});
+  require({"measure", print, "--csv", folder / "m.csv"});
+  require({"edit", print, "--keep-largest", "-o", folder / "edited.3mf"});
+  require({"segment", volume, "--given", print, "-o", folder / "given.stl"});
+  CHECK(readMesh(folder / "given.stl").points == readMesh(stl).points);
+  CHECK(readMesh(folder / "edited.3mf").points.size() == readMesh(stl).points.size());
+  const auto same = runForJson({"compare", print, stl, "--json"});
+  CHECK(same.at("a").at("kind") == "mesh");
+  CHECK(same.at("distances").at("hausdorff_mm") < 1e-9);
+  requireRefusal(folder, {"check", folder / "none.3mf"}, 3, "none.3mf");
 }
 
 TEST_CASE(

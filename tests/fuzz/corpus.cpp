@@ -95,9 +95,25 @@ void addSegmentations(const std::string& folder, std::vector<Sample>& corpus) {
     corpus.push_back({name, readBytes(folder + "/" + name)});
 }
 
+//! What damage to the archive hardly reaches: its checksums find that first.
+const std::string kPlacedModel =
+    "<?xml version=\"1.0\"?><model unit=\"inch\" "
+    "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+    "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" requiredextensions=\"p\">"
+    "<metadata name=\"Title\">T &amp; t</metadata><resources><object id=\"1\" type=\"model\"><mesh><vertices>"
+    "<vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1.5e0\" z=\"0\"/>"
+    "<vertex x=\"0\" y=\"0\" z=\"1\"/></vertices><triangles><triangle v1=\"0\" v2=\"2\" v3=\"1\"/>"
+    "<triangle v1=\"0\" v2=\"1\" v3=\"3\"/><triangle v1=\"0\" v2=\"3\" v3=\"2\"/>"
+    "<triangle v1=\"1\" v2=\"2\" v3=\"3\"/></triangles></mesh></object><object id=\"2\"><components>"
+    "<component objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/>"
+    "<component objectid=\"1\" p:path=\"/3D/m.model\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/></components>"
+    "</object></resources><build><item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 1 2 "
+    "3\"/></build></model>";
+
 void addPrint(const std::string& folder, std::vector<Sample>& corpus) {
   writeThreeMf({{{}, sphere(Vec3(1, 2, 3), 4, 1)}}, folder + "/p.3mf", CoordinateSpace::lps);
   corpus.push_back({"p.3mf", readBytes(folder + "/p.3mf")});
+  corpus.push_back({"p.3mf", kPlacedModel, true});
 }
 
 void addMeshes(const std::string& folder, std::vector<Sample>& corpus) {

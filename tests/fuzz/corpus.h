@@ -9,6 +9,7 @@ namespace handlebody::test {
 struct Sample {
   std::string name;  //!< with the extension that its reader expects
   std::string bytes;
+  bool isModel = false;  //!< the XML of a .3mf, which is packed when it has been damaged
 };
 
 //! `folder`: an empty one to work in.

@@ -23,6 +23,7 @@
 #include "tests/fuzz/corpus.h"
 #include "tests/fuzz/mutate.h"
 #include "tests/fuzz/run_program.h"
+#include "tests/io/zip_test_support.h"
 
 namespace handlebody::test {
 
@@ -152,7 +153,8 @@ void one(const Options& o, const std::vector<Sample>& samples, std::size_t i, co
   std::mt19937_64 random(o.seed * 1000003 + i);
   const Sample& sample = samples[random() % samples.size()];
   const std::string path = folder + "/" + sample.name;
-  writeFile(path, mutated(sample.bytes, random));
+  const std::string damaged = mutated(sample.bytes, random);
+  writeFile(path, sample.isModel ? archiveOfModel(damaged) : damaged);
   const auto start = std::chrono::steady_clock::now();
   const bool good = feed(o, path, folder, tally);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

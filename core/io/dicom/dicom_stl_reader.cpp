@@ -10,6 +10,7 @@
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
 #include "core/io/refuse_input.h"
+#include "core/io/shown.h"
 
 namespace handlebody {
 
@@ -65,15 +66,6 @@ std::optional<double> millimetresIn(const std::string& unit) {
                                                       {"cm", 10}, {"m", 1e3},   {"[in_i]", 25.4}};
   const auto found = kLengths.find(unit);
   return found == kLengths.end() ? std::nullopt : std::optional(found->second);
-}
-
-//! For a sentence: what a damaged file says may be anything.
-std::string shown(const std::string& text) {
-  constexpr std::size_t kLongest = 64;  // characters, of DICOM's texts
-  std::string plain = text.substr(0, kLongest);
-  for (char& c : plain)
-    if (c < ' ' || c > '~') c = '?';
-  return plain;
 }
 
 }  // namespace

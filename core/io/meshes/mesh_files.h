@@ -31,6 +31,11 @@ MeshFile readObj(const std::string& path);
 //! Text or binary, of either byte order.
 MeshFile readPly(const std::string& path);
 
+//! All objects that are built, one behind the other, in mm. In this process, as NIfTI and NRRD are unpacked:
+//! unlike VTK's reader of VTP, libzip and expat are made for files that nobody trusts and fuzzed by others as
+//! by us, what they hand on is checked here, and sizes and nesting are held before memory is taken.
+MeshFile readThreeMf(const std::string& path);
+
 //! A binary STL in memory, of the file `path`. Throws InputError.
 MeshFile readStlBytes(std::string_view bytes, const std::string& path);
 //! The STL within DICOM (Encapsulated STL). In this process: what looks for it is our own walk, which checks

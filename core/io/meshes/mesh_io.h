@@ -20,8 +20,8 @@ enum class CoordinateSpace { lps, ras };
 
 //! True for .stl .vtp .ply .obj (any case): what writeMesh writes.
 bool isMeshPath(const std::string& path);
-//! What readMesh reads. The same and .stl.dcm, the STL within DICOM, by the name, whether there is such a
-//! file or not; and a file that is there and holds an STL within DICOM, by a look at its first few kB.
+//! What readMesh reads. The same, .3mf, and .stl.dcm, the STL within DICOM, by the name, whether there is
+//! such a file or not; and a file that is there and holds an STL within DICOM, by a look at its first few kB.
 bool isMeshInputPath(const std::string& path);
 //! True for .nii .nii.gz .nrrd .mha (any case).
 bool isLabelMapPath(const std::string& path);
@@ -50,8 +50,9 @@ void writeMesh(const TriangleSoup& mesh, const std::string& path,
 void writeMeshWithValues(const TriangleSoup& mesh, const std::vector<double>& values, const std::string& name,
                          const std::string& path);
 
-//! Reads what isMeshInputPath knows; STL vertices with equal coordinates are merged. RAS files that say so
-//! come back as LPS. `decoder` reads .vtp. Throws InputError.
+//! Reads what isMeshInputPath knows; STL vertices with equal coordinates are merged, the objects of a .3mf
+//! become one mesh in mm (single precision where nothing is scaled or turned). RAS files that say so come
+//! back as LPS. `decoder` reads .vtp. Throws InputError.
 TriangleSoup readMesh(const std::string& path, const DecoderSettings& decoder = {});
 
 }  // namespace handlebody

@@ -20,6 +20,7 @@
 
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
+#include "core/io/meshes/three_mf.h"
 #include "core/io/refuse_input.h"
 #include "core/phase.h"
 
@@ -208,13 +209,15 @@ MeshFile readAny(const std::string& path, const DecoderSettings& decoder) {
   if (name.ends_with(".ply")) return readPly(path);
   if (name.ends_with(".vtp")) return readVtp(path, decoder);
   if (name.ends_with(".obj")) return readObj(path);
+  if (isThreeMfPath(path)) return readThreeMf(path);
   return readDicomStl(path);
 }
 
 }  // namespace
 
 bool isMeshInputPath(const std::string& path) {
-  return isMeshPath(path) || lowered(path).ends_with(".stl.dcm") || isEncapsulatedStlFile(path);
+  return isMeshPath(path) || isThreeMfPath(path) || lowered(path).ends_with(".stl.dcm") ||
+         isEncapsulatedStlFile(path);
 }
 
 TriangleSoup readMesh(const std::string& path, const DecoderSettings& decoder) {

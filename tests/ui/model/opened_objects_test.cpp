@@ -4,6 +4,7 @@
 #include "core/collision/body_contact.h"
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/label_map.h"
+#include "core/io/meshes/three_mf.h"
 #include "core/io/report/session.h"
 #include "core/mesh/shapes.h"
 #include "tests/io/overlapping_segments.h"
@@ -250,6 +251,15 @@ TEST_CASE("an encapsulated STL is opened as any mesh", "[objects][opened]") {
   OpeningWork work;
   const QString path = work.torus.file(GENERATE("ball.stl.dcm", "ball.dcm", "ball"));
   writeDicomStl({{{}, icosphere(testing::kMiddle, 4, 1.0)}}, {}, {}, path.toStdString());
+  REQUIRE(work.open(path, OpenAs::done));
+  CHECK(nameOf(work.document, 0) == "ball");
+  REQUIRE(waitFor([&] { return work.isShown(0); }));
+}
+
+TEST_CASE("a 3MF file is opened as any mesh", "[objects][opened]") {
+  OpeningWork work;
+  const QString path = work.torus.file("ball.3mf");
+  writeThreeMf({{{}, icosphere(testing::kMiddle, 4, 1.0)}}, path.toStdString(), CoordinateSpace::ras);
   REQUIRE(work.open(path, OpenAs::done));
   CHECK(nameOf(work.document, 0) == "ball");
   REQUIRE(waitFor([&] { return work.isShown(0); }));

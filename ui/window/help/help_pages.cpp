@@ -86,6 +86,8 @@ constexpr Library kLibraries[] = {
     {"Eigen", "MPL-2.0", QT_TRANSLATE_NOOP("handlebody::ui", "linear algebra")},
     {"OpenSSL", "Apache-2.0", QT_TRANSLATE_NOOP("handlebody::ui", "SHA-256 of volumes")},
     {"zlib", "Zlib", QT_TRANSLATE_NOOP("handlebody::ui", "compressed files")},
+    {"libzip", "BSD-3-Clause", QT_TRANSLATE_NOOP("handlebody::ui", "3MF files")},
+    {"Expat", "MIT", QT_TRANSLATE_NOOP("handlebody::ui", "3MF files")},
     {"nlohmann-json", "MIT", QT_TRANSLATE_NOOP("handlebody::ui", "sessions and reports")},
     {"CLI11", "BSD-3-Clause", QT_TRANSLATE_NOOP("handlebody::ui", "command line")},
 };

@@ -193,12 +193,12 @@ void ComparePage::choose() {
 }
 
 void ComparePage::chooseFile() {
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Choose the reference"), QSettings().value(QStringLiteral("folder")).toString(),
-      tr("Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl "
-         "*.gipl.gz *.dcm);;All files "
-         "(*)"),
-      nullptr, QFileDialog::HideNameFilterDetails);
+  const QString kinds = tr(
+      "Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl "
+      "*.gipl.gz *.dcm);;All files (*)");
+  const QString path = QFileDialog::getOpenFileName(this, tr("Choose the reference"),
+                                                    QSettings().value(QStringLiteral("folder")).toString(),
+                                                    kinds, nullptr, QFileDialog::HideNameFilterDetails);
   if (!path.isEmpty()) compareWith(path);
 }
 

@@ -56,7 +56,7 @@ QString volumeFilter() {
 
 QString objectFilter() {
   return FileWork::tr(
-      "Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl "
+      "Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl "
       "*.gipl.gz *.dcm);;"
       "All files (*)");
 }

@@ -1,0 +1,243 @@
+#include "core/io/meshes/three_mf_model.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "core/io/meshes/three_mf_values.h"
+#include "core/io/meshes/xml_parser.h"
+#include "core/io/meshes/zip_archive.h"
+#include "core/io/refuse_input.h"
+#include "core/io/shown.h"
+#include "core/io/trimmed.h"
+
+namespace handlebody {
+namespace {
+
+constexpr std::string_view kProduction = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
+                           kPath = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06 path";
+constexpr std::array<std::string_view, 4> kSupported{
+    kThreeMfCore, kProduction, "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+    "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07"};
+
+enum class Tag {
+  none,
+  other,  // and all that is in it
+  model,
+  metadata,
+  resources,
+  object,
+  mesh,
+  vertices,
+  vertex,
+  triangles,
+  triangle,
+  components,
+  component,
+  build,
+  item
+};
+
+struct Rule {
+  Tag within;
+  std::string_view name;
+  Tag tag;
+};
+// Those first that there are most of.
+constexpr Rule kRules[] = {{Tag::vertices, "vertex", Tag::vertex},
+                           {Tag::triangles, "triangle", Tag::triangle},
+                           {Tag::components, "component", Tag::component},
+                           {Tag::build, "item", Tag::item},
+                           {Tag::resources, "object", Tag::object},
+                           {Tag::object, "mesh", Tag::mesh},
+                           {Tag::object, "components", Tag::components},
+                           {Tag::mesh, "vertices", Tag::vertices},
+                           {Tag::mesh, "triangles", Tag::triangles},
+                           {Tag::model, "metadata", Tag::metadata},
+                           {Tag::model, "resources", Tag::resources},
+                           {Tag::model, "build", Tag::build},
+                           {Tag::none, "model", Tag::model}};
+
+//! What stands in a place where the core specification has no such element, or is of another namespace, is
+//! ignored with all that is in it, as the specification wants.
+Tag tagOf(Tag within, std::string_view name) {
+  const std::string_view core = kThreeMfCore;
+  if (!name.starts_with(core) || name.size() <= core.size() + 1) return Tag::other;
+  name.remove_prefix(core.size() + 1);
+  for (const Rule& rule : kRules)
+    if (rule.within == within && rule.name == name) return rule.tag;
+  return Tag::other;
+}
+
+//! The core specification knows five types, of meshes alone (an object of components has those of its
+//! components). "model" (the default) is a body and "surface" one that need not be closed, which the
+//! certificate tells; "support" and "solidsupport" hold things while they are printed and may be ignored;
+//! "other" is never built.
+bool isBody(const char* type) {
+  const std::string_view name = type ? type : "model";
+  return name != "support" && name != "solidsupport" && name != "other";
+}
+
+class ModelReader : public XmlHandler {
+ public:
+  ModelReader(std::string path, ThreeMfCount& count) : path_(std::move(path)), count_(count) {}
+
+  void declare(std::string_view prefix, std::string_view space) override {
+    if (tags_.empty()) spaces_[std::string(prefix)] = space;  // of the root: names in texts use no others
+  }
+
+  void start(std::string_view name, const XmlAttributes& attributes) override {
+    const Tag tag = tagOf(tags_.empty() ? Tag::none : tags_.back(), name);
+    if (tags_.empty() && tag != Tag::model)
+      refuseInput(path_, {FindingKind::notOfFormat, {{"format", std::string(kThreeMf)}}});
+    tags_.push_back(tag);
+    if (tag == Tag::vertex) return readVertex(attributes);
+    if (tag == Tag::triangle) return readTriangle(attributes);
+    if (tag == Tag::component) return readPlacement(attributes, object_->components);
+    if (tag == Tag::item) return readPlacement(attributes, model.items);
+    if (tag == Tag::object) return readObject(attributes);
+    if (tag == Tag::model) return readModel(attributes);
+    if (tag == Tag::metadata) {
+      isSpace_ = isOurs(attributes.find("name"));
+      text_.clear();
+    }
+  }
+
+  void end() override {
+    if (tags_.back() == Tag::metadata && isSpace_) {
+      if (trimmed(text_) == "RAS") model.space = CoordinateSpace::ras;
+      isSpace_ = false;
+    }
+    tags_.pop_back();
+  }
+
+  void text(std::string_view piece) override {
+    constexpr std::size_t kLongest = 64;
+    if (isSpace_ && text_.size() < kLongest) text_ += piece.substr(0, kLongest);
+  }
+
+  ThreeMfModel model{};
+
+ private:
+  //! "PREFIX:Space", by the namespace of the prefix.
+  bool isOurs(const char* name) const {
+    const std::string all = name ? name : "";
+    const std::size_t colon = all.find(':');
+    if (colon == std::string::npos || all.substr(colon + 1) != "Space") return false;
+    const auto found = spaces_.find(all.substr(0, colon));
+    return found != spaces_.end() && found->second == kThreeMfOurs;
+  }
+
+  void readModel(const XmlAttributes& attributes) {
+    if (const char* unit = attributes.find("unit")) {
+      const std::optional<double> known = three_mf::unitCalled(std::string(trimmed(unit)));
+      if (!known) refuseThreeMf(path_, "unit " + shown(unit));
+      unit_ = *known;
+    }
+    const char* required = attributes.find("requiredextensions");
+    for (std::string_view left = required ? required : ""; !trimmed(left).empty();)
+      requireSupported(std::string(three_mf::nextWord(left)));
+  }
+
+  //! What a file says that it cannot be read without. Colours and groups of triangles change no surface.
+  void requireSupported(const std::string& prefix) const {
+    const auto found = spaces_.find(prefix);
+    const std::string space = found == spaces_.end() ? prefix : found->second;
+    if (std::find(kSupported.begin(), kSupported.end(), space) != kSupported.end()) return;
+    // Of the address that a namespace is the end tells people something.
+    const std::string consortium = "http://schemas.microsoft.com/3dmanufacturing/";
+    const std::string name = space.starts_with(consortium) ? space.substr(consortium.size()) : space;
+    refuseInput(path_, {FindingKind::extensionNotSupported,
+                        {{"format", std::string(kThreeMf)}, {"extension", shown(name)}}});
+  }
+
+  void readObject(const XmlAttributes& attributes) {
+    count_.add(0, 0, 1);
+    const std::optional<int> id = three_mf::index(attributes.find("id"));
+    if (!id) refuseThreeMf(path_, "an object without a number");
+    const auto [at, isNew] = model.objects.try_emplace(*id);
+    if (!isNew) refuseThreeMf(path_, "two objects " + std::to_string(*id));
+    object_ = &at->second;
+    object_->isBody = isBody(attributes.find("type"));
+  }
+
+  void readVertex(const XmlAttributes& attributes) {
+    count_.add(1, 0);
+    Vec3 p;
+    for (int a = 0; a < 3; ++a) {
+      const std::optional<float> value =
+          three_mf::coordinate(attributes.find(std::string_view("xyz").substr(a, 1)));
+      if (!value) refuseInput(path_, FindingKind::vertexDamaged);
+      p[a] = unit_ * double{*value};
+    }
+    object_->mesh.points.push_back(p);
+  }
+
+  void readTriangle(const XmlAttributes& attributes) {
+    count_.add(0, 1);
+    constexpr std::array<std::string_view, 3> kCorners{"v1", "v2", "v3"};
+    Triangle t{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::optional<int> corner = three_mf::index(attributes.find(kCorners[c]));
+      if (!corner) refuseInput(path_, FindingKind::faceDamaged);
+      // The specification has the vertices first.
+      if (static_cast<std::size_t>(*corner) >= object_->mesh.points.size())
+        refuseInput(path_, FindingKind::faceVertexMissing);
+      t[c] = *corner;
+    }
+    object_->mesh.triangles.push_back(t);
+  }
+
+  void readPlacement(const XmlAttributes& attributes, std::vector<ThreeMfPlacement>& to) {
+    count_.add(0, 0, 1);
+    ThreeMfPlacement placement;
+    const std::optional<int> id = three_mf::index(attributes.find("objectid"));
+    if (!id) refuseThreeMf(path_, "a component or an item without an object");
+    placement.object = *id;
+    if (const char* part = attributes.find(kPath)) placement.part = trimmed(part, "/ \t\r\n");
+    if (const char* text = attributes.find("transform")) {
+      const std::optional<Eigen::Affine3d> read = three_mf::transform(text, unit_);
+      if (!read) refuseThreeMf(path_, "a transform that is not twelve numbers");
+      placement.transform = *read;
+    }
+    to.push_back(std::move(placement));
+  }
+
+  std::string path_, text_{};
+  ThreeMfCount& count_;
+  std::vector<Tag> tags_{};  // that are open
+  std::map<std::string, std::string> spaces_{};
+  ThreeMfObject* object_ = nullptr;  // in which we are: unordered_map moves none
+  double unit_ = 1;
+  bool isSpace_ = false;
+};
+
+}  // namespace
+
+void refuseThreeMf(const std::string& path, const std::string& field) {
+  refuseInput(path, {FindingKind::damagedAt, {{"format", std::string(kThreeMf)}, {"field", field}}});
+}
+
+void ThreeMfCount::add(std::size_t points, std::size_t triangles, std::size_t entries) {
+  constexpr std::size_t kMost = 100'000'000;  // 4 GB of them; a body of so many has as many points by half
+  constexpr std::size_t kMostEntries = 1'000'000;
+  points_ += points;
+  triangles_ += triangles;
+  entries_ += entries;
+  if (points_ > kMost || triangles_ > kMost)
+    refuseInput(path_, {FindingKind::surfaceTooLarge, {{"most", kMost}}});
+  if (entries_ > kMostEntries)
+    refuseThreeMf(path_, "more than " + std::to_string(kMostEntries) + " objects and components");
+}
+
+ThreeMfModel readThreeMfModel(ZipReader& archive, std::uint64_t entry, const std::string& name,
+                              const std::string& path, ThreeMfCount& count) {
+  ModelReader reader(path, count);
+  XmlParser parser(reader, path, kThreeMf, name);
+  archive.read(entry, [&](std::string_view piece) { parser.take(piece); });
+  parser.finish();
+  return std::move(reader.model);
+}
+
+}  // namespace handlebody
