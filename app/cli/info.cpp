@@ -10,6 +10,7 @@
 #include "core/io/report/json.h"
 #include "core/io/report/label_file.h"
 #include "core/io/report/parse.h"
+#include "core/io/report/terminology_json.h"
 #include "core/volume/intensity_statistics.h"
 
 namespace handlebody::cli {
@@ -74,8 +75,10 @@ void addTimes(Json& json, const TimeAxis& times) {
 //! Of a segmentation.
 Json labelsToJson(const FileLabels& labels) {
   Json json = Json::array();
-  for (const auto& [number, label] : labels)
+  for (const auto& [number, label] : labels) {
     json.push_back({{"number", number}, {"name", label.name}, {"term", label.term}});
+    addSource(json.back(), label.source);
+  }
   return json;
 }
 
@@ -161,10 +164,17 @@ void printIntensities(const IntensityStatistics& statistics) {
   std::printf("\n");
 }
 
+//! What is not wholly in our list is shown as it is.
+std::string termText(const FileLabel& label) {
+  if (!label.source.terminology) return label.term.empty() ? "" : " (" + label.term + ")";
+  const CodedTerm& type = label.source.terminology->type.term;
+  return " (" + type.scheme + " " + type.value + ": " + meaningOf(*label.source.terminology) + ")";
+}
+
 void printLabels(const FileLabels& labels) {
   for (const auto& [number, label] : labels)
     std::printf("label %d: %s%s\n", number, label.name.empty() ? "(no name)" : label.name.c_str(),
-                label.term.empty() ? "" : (" (" + label.term + ")").c_str());
+                termText(label).c_str());
 }
 
 void printText(const VolumeInfo& info, const FileLabels& labels, const TimeAxis& times,

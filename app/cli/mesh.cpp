@@ -123,7 +123,8 @@ int mesh(const MeshOptions& o) {
   {
     const DeferSignals whole;
     const CancelScope scope(DeferSignals::stopToken());
-    const ObjectLabel said = asInItsFile(o.labels, label, o.content.anonymous, {});
+    ObjectLabel said = asInItsFile(o.labels, label, o.content.anonymous, {});
+    if (o.content.anonymous) said.source = withoutSite(std::move(said.source));
     writeResults({{chosenLabel(o.object, said), made.mesh}}, context, o.results);
   }
   for (const Finding& w : info.warnings)

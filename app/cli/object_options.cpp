@@ -65,6 +65,7 @@ ObjectLabel chosenLabel(const ObjectOptions& options, const ObjectLabel& before)
     const Term& term = *termFromName(*options.term);
     if (label.name == ObjectLabel{}.name) label.name = term.type.meaning;
     label.term = term.name;
+    label.source.terminology.reset();
     label.colour = term.colour;
   }
   if (options.name) label.name = *options.name;

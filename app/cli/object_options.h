@@ -22,8 +22,8 @@ struct ObjectOptions {
 //! Adds --object-name, --color, --label-value and --term.
 void addObjectOptions(CLI::App& command, ObjectOptions& options);
 
-//! `before` with what the options change. A term brings its colour, and its meaning as the name of an object
-//! that has none of its own.
+//! `before` with what the options change. A term goes before the codes of a file, and brings its colour, and
+//! its meaning as the name of an object that has none of its own.
 ObjectLabel chosenLabel(const ObjectOptions& options, const ObjectLabel& before);
 
 //! `label` as the file of the object's surface has it (see labelIn); where nothing is to name the patient

@@ -203,6 +203,13 @@ ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
 
 }  // namespace
 
+ObjectLabel labelInFiles(const RunReport& report, const RunOutputs& outputs) {
+  ObjectLabel label = report.session.label;
+  label.source = sourceInFiles(std::move(label.source), report.session.constraints, report.iterations,
+                               outputs.content.anonymous);
+  return label;
+}
+
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
                   const RunOutputs& outputs) {
   const CancelScope scope(DeferSignals::stopToken());
@@ -313,7 +320,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   Stopwatch watch;
   {
     DeferSignals whole;
-    writeObjects({{report.session.label, mesh}}, report, outputs);
+    writeObjects({{labelInFiles(report, outputs), mesh}}, report, outputs);
     if (shown) writePicture(*shown, mesh, outputs.picture);
     if (!outputs.sensitivity.surface.empty() && report.sensitivity->grown > 0)
       writeMeshWithValues(mesh, report.sensitivity->spread, "spread_mm", outputs.sensitivity.surface);

@@ -103,6 +103,9 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among = 
 void polishAmong(GrownObject& object, const std::vector<const TriangleSoup*>& others, const Volume& volume,
                  const RunOutputs& outputs);
 
+//! The object's label as its files have it: see sourceInFiles.
+ObjectLabel labelInFiles(const RunReport& report, const RunOutputs& outputs);
+
 //! Writes every file of -o, and the description of the labels. Throws OutputError, UsageError.
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
                   const RunOutputs& outputs);

@@ -175,7 +175,7 @@ int runObjects(LoadedSession first, std::vector<Session> others, const RunOutput
   for (GrownObject& object : grown) {
     Timings& s = object.report.seconds;
     s.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;
-    objects.push_back({object.report.session.label, std::move(object.mesh)});
+    objects.push_back({labelInFiles(object.report, outputs), std::move(object.mesh)});
     reports.push_back(std::move(object.report));
   }
   const std::vector<PairGap> gaps = gapsOf(objects, outputs);

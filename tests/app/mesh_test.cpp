@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/io/dicom/dicom_segments.h"
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/file_labels.h"
 #include "core/io/formats/label_map.h"
@@ -103,6 +104,25 @@ TEST_CASE("the mesh of a segment is called as there, and that of a DICOM Segment
   for (const char* name : {"m.stl.dcm", "m.seg.dcm"})
     CHECK(readBytes(folder / name).find("Doe^Jane") != std::string::npos);
   CHECK(runCli({"check", folder / "m.stl.dcm"}).exitCode == 0);
+}
+
+TEST_CASE("the mesh of a segment keeps codes that are not ours, and who made it", "[cli][mesh]") {
+  using namespace handlebody;
+  const TempFolder folder;
+  const Terminology fat{{"85756007", "SCT", "Tissue"}, {{"256674009", "SCT", "Fat"}, {}}, {}};
+  writeBalls({{{"Fat", {17, 200, 33}, 1, "tissue", {fat, SegmentAlgorithm{AlgorithmType::manual, ""}}},
+               icosphere(Vec3(12, 12, 12), 4, 1)}},
+             folder / "s.seg.dcm");
+  const Outcome run =
+      runCli({"mesh", folder / "s.seg.dcm", "-o", folder / "m.seg.dcm", "-o", folder / "m.seg.nrrd"});
+  INFO(run.err);
+  REQUIRE(run.exitCode == 0);
+  const SegmentSource meant{fat, SegmentAlgorithm{AlgorithmType::manual, ""}};
+  CHECK(readDicomLabels(folder / "m.seg.dcm").at(1).source == meant);
+  CHECK(readSlicerLabels(folder / "m.seg.nrrd").at(1).source == meant);
+  CHECK(runCli({"mesh", folder / "s.seg.dcm", "--term", "liver", "-o", folder / "m.seg.dcm"}).exitCode == 0);
+  CHECK(readDicomLabels(folder / "m.seg.dcm").at(1).term == "liver");
+  CHECK_FALSE(readDicomLabels(folder / "m.seg.dcm").at(1).source.terminology);
 }
 
 TEST_CASE("with --anonymous the mesh of a DICOM Segmentation names neither patient nor what stood in it",

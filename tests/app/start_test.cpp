@@ -254,6 +254,51 @@ TEST_CASE("a given segment is called, coloured and termed as in its file, unless
   }
 }
 
+TEST_CASE(
+    "a given segment keeps codes that are not ours and how it was made, until it grows or is termed anew",
+    "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), source = folder / "s.seg.dcm", out = folder / "out.seg.nrrd";
+  const Terminology kidney{{"T-D000A", "SRT", "Anatomical Structure"},
+                           {{"T-71000", "SRT", "Kidney"}, {{"G-A101", "SRT", "Left"}}},
+                           {{"818983003", "SCT", "Abdomen"}, {}}};
+  const std::vector<ExportedObject> objects{
+      {{"One", {17, 200, 33}, 1, "tissue", {kidney, SegmentAlgorithm{AlgorithmType::automatic, "Net of X"}}},
+       icosphere(kMiddle, 6, 1)}};
+  DicomOrigin origin;
+  origin.straight = false;
+  writeDicomSegmentation(labelMap(objects, cubicGrid(41)), objects, origin, {}, source);
+  const auto made = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"-o", out});
+    require(more);
+    return readSlicerLabels(out).at(1).source;
+  };
+  const auto given = [&](std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"segment", volume, "--given", source, "--session", folder / "s.json"});
+    return made(more);
+  };
+  const SegmentSource kept{kidney, SegmentAlgorithm{AlgorithmType::automatic, "Net of X, Handlebody"}};
+  CHECK(given() == kept);
+  CHECK(made({"replay", folder / "s.json"}) == kept);
+  CHECK_FALSE(made({"replay", folder / "s.json", "--term", "liver"}).terminology);
+  const SegmentSource anonymous{kidney, SegmentAlgorithm{AlgorithmType::automatic, "Handlebody"}};
+  CHECK(made({"replay", folder / "s.json", "--anonymous"}) == anonymous);
+  CHECK(given({"--anonymous"}) == anonymous);
+  CHECK(bytes(folder / "s.json").find("Net of X") == std::string::npos);
+  CHECK_FALSE(given({"--term", "liver"}).terminology);
+  CHECK(given({"--term", "liver"}).algorithm == kept.algorithm);
+  const SegmentSource grown = made({"segment", volume, "--start", source});
+  CHECK(grown.terminology == kidney);
+  CHECK_FALSE(grown.algorithm);  // in .seg.dcm SEMIAUTOMATIC
+  SECTION("info tells the codes") {
+    CHECK_THAT(runCli({"info", source}).out, Contains("label 1: One (SRT T-71000: Kidney, Left; Abdomen)"));
+    const auto told = runForJson({"info", source, "--json"}).at("labels").at(0);
+    CHECK(told.at("term") == "");
+    CHECK(told.at("terminology").at("type").at("modifiers").at(0).at("value") == "G-A101");
+    CHECK(told.at("algorithm").at("type") == "AUTOMATIC");
+  }
+}
+
 TEST_CASE("given segments that overlap do not meet: what they share is the smaller one's, and it is told",
           "[cli][start]") {
   const TempFolder folder;

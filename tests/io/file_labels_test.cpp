@@ -117,8 +117,9 @@ TEST_CASE("what is written of two objects as segments is what is read of them", 
   expectSaid(readDicomLabels(folder / "series").at(2), objects[1].label);
 }
 
-TEST_CASE("of what 3D Slicer says a code that is not of our list gives no term, and the rest holds",
-          "[labels]") {
+TEST_CASE(
+    "of what 3D Slicer says a code that is not of our list gives no term and is kept, and the rest holds",
+    "[labels]") {
   const TemporaryFolder folder;
   const std::string path = folder / "some.seg.nrrd";
   writeBytes(path, slicerHeader("Segment0_LabelValue:=1\nSegment0_Name:=one\nSegment0_Color:=0.5 1 0\n"
@@ -134,7 +135,8 @@ TEST_CASE("of what 3D Slicer says a code that is not of our list gives no term, 
   CHECK_FALSE(labels.at(2).hasLook());
   CHECK(labels.at(2).name.empty());
   const ObjectLabel kept = labelledAs(labels.at(2), {"as before", {1, 2, 3}, 4, "bone"});
-  CHECK(kept == ObjectLabel{"as before", {1, 2, 3}, 4, "bone"});
+  const Terminology liver{{"1", "SCT", "A"}, {{"T-62000", "SRT", "Liver"}, {}}, {}};
+  CHECK(kept == ObjectLabel{"as before", {1, 2, 3}, 4, "tissue", {liver, {}}});
   FileLabel onlyTerm;
   onlyTerm.term = "liver";
   onlyTerm.name = "no | name";

@@ -205,6 +205,7 @@ void Document::duplicateObject(int index) {
   after.active->start(std::move(edits));
   ObjectLabel label = freshLabel(d_->objects.labels());
   label.term = original.traits.label.term;
+  label.source = original.traits.label.source;
   after.entries.insert(after.entries.begin() + index + 1, {after.active, {label, true, false}});
   d_->pushList(tr("Duplicate object"), std::move(after));
 }

@@ -59,6 +59,7 @@ void Document::Private::addOpened(const ObjectsToOpen& asked, const std::vector<
       label.colour = session.label.colour;
       label.term = session.label.term;
     }
+    label.source = session.label.source;
     session.label = label;
     labels.push_back(session.label);
     names << QString::fromStdString(session.label.name);

@@ -208,6 +208,9 @@ std::vector<WrittenObject> Document::Private::writtenObjects(const std::vector<i
     auto surface = q.finishedMesh(i);  // of the frame that is shown
     if (!surface) continue;
     all.push_back(objectToWrite(objects.at(i), surface));
+    SegmentSource& source = all.back().label.source;
+    source = sourceInFiles(std::move(source), objects.at(i).request().constraints,
+                           surface->shown()->iteration, isAnonymous);
     if (const CarriedFrame* carried = time.carriedTo(time.shownFrame());
         carried && carried->finished == surface)
       all.back().walls = carried->result.under.walls;  // of a corrected frame its own

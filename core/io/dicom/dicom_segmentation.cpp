@@ -27,7 +27,7 @@ using dicom::require;
 
 constexpr const char* kRefused = "the segmentation cannot be made";
 
-CodeSequenceMacro codeOf(const Code& code) { return {code.value.c_str(), "SCT", code.meaning.c_str()}; }
+CodeSequenceMacro codeOf(const Code& code) { return {code.value.c_str(), kSnomed, code.meaning.c_str()}; }
 
 //! First and last slice that hold `value`; last below first if none does.
 template <typename T>
@@ -192,11 +192,66 @@ void Maker::add(const ExportedObject& object) {
     addFrames(labels_.data<std::uint8_t>(), object, number);
 }
 
+void putCode(DcmItem& item, const CodedTerm& code) {
+  item.putAndInsertString(DCM_CodeValue, code.value.c_str());
+  item.putAndInsertString(DCM_CodingSchemeDesignator, code.scheme.c_str());
+  item.putAndInsertString(DCM_CodeMeaning, code.meaning.c_str());
+}
+
+void putTerm(DcmItem& segment, const DcmTagKey& tag, const ModifiedTerm& said, const DcmTagKey& modifiers) {
+  DcmItem *item = nullptr, *modifier = nullptr;
+  segment.findAndDeleteElement(tag);
+  segment.findOrCreateSequenceItem(tag, item, 0);
+  putCode(*item, said.term);
+  for (const CodedTerm& code : said.modifiers) {
+    item->findOrCreateSequenceItem(modifiers, modifier, -2);  // a new one at the end
+    putCode(*modifier, code);
+  }
+}
+
+void putTerminology(DcmItem& segment, const Terminology& said) {
+  putTerm(segment, DCM_SegmentedPropertyCategoryCodeSequence, {said.category, {}}, {});
+  putTerm(segment, DCM_SegmentedPropertyTypeCodeSequence, said.type,
+          DCM_SegmentedPropertyTypeModifierCodeSequence);
+  if (!said.region.term.value.empty())
+    putTerm(segment, DCM_AnatomicRegionSequence, said.region, DCM_AnatomicRegionModifierSequence);
+}
+
+//! A name is required of all but what is manual, and may not stand there (PS3.3 C.8.20.4).
+void putAlgorithm(DcmItem& segment, const SegmentAlgorithm& how) {
+  segment.putAndInsertString(DCM_SegmentAlgorithmType, algorithmTypeName(how.type));
+  if (how.type == AlgorithmType::manual)
+    segment.findAndDeleteElement(DCM_SegmentAlgorithmName);
+  else
+    segment.putAndInsertString(DCM_SegmentAlgorithmName, how.name.c_str());
+}
+
+//! What is said of the object by its file. The name of its algorithm may be that of a site, its type is not.
+SegmentSource sourceOf(const ExportedObject& object, const DicomContent& content) {
+  return content.anonymous ? withoutSite(object.label.source) : object.label.source;
+}
+
+void addTexts(const SegmentSource& source, dicom::Texts& texts) {
+  if (source.algorithm) texts.push_back(source.algorithm->name);
+  if (!source.terminology) return;
+  const auto add = [&](const CodedTerm& code) {
+    texts.insert(texts.end(), {code.value, code.scheme, code.meaning});
+  };
+  add(source.terminology->category);
+  for (const ModifiedTerm& said : {source.terminology->type, source.terminology->region}) {
+    add(said.term);
+    std::for_each(said.modifiers.begin(), said.modifiers.end(), add);
+  }
+}
+
 //! What the library writes otherwise, or checks more strictly than real series are made.
 void complete(DcmDataset& data, const std::vector<ExportedObject>& objects, const DicomOrigin& origin,
               const DicomContent& content, const std::string& path) {
   dicom::Texts texts{content.creator, content.description};
-  for (const ExportedObject& object : objects) texts.push_back(object.label.name);
+  for (const ExportedObject& object : objects) {
+    texts.push_back(object.label.name);
+    addTexts(sourceOf(object, content), texts);
+  }
   dicom::addPatientAndStudy(data, origin, content, texts, path);
   dicom::addReferencedSeries(data, origin, content);
   dicom::addContentDate(data, content);
@@ -207,6 +262,9 @@ void complete(DcmDataset& data, const std::vector<ExportedObject>& objects, cons
     DcmItem* segment = nullptr;
     require(data.findAndGetSequenceItem(DCM_SegmentSequence, segment, static_cast<long>(i)), path, kRefused);
     segment->putAndInsertString(DCM_SegmentLabel, objects[i].label.name.c_str());
+    const SegmentSource source = sourceOf(objects[i], content);
+    if (source.terminology) putTerminology(*segment, *source.terminology);
+    putAlgorithm(*segment, writtenAlgorithm(source.algorithm));
   }
 }
 

@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "core/errors.h"
+#include "core/io/formats/label_map.h"
 #include "core/io/formats/nrrd_header.h"
+#include "core/io/trimmed.h"
 
 namespace handlebody {
 
@@ -44,13 +46,40 @@ std::optional<Colour> colourIn(std::string_view text) {
   return colour;
 }
 
-//! Of "key:value|key:value|": the type, third part of a terminology entry, "scheme^value^meaning".
-std::string termIn(std::string_view tags) {
-  constexpr std::string_view kKey = "TerminologyEntry:";
-  const auto at = tags.find(kKey);
-  if (at == std::string_view::npos) return {};
-  const std::string_view entry = part(tags.substr(at + kKey.size()), '|', 0), type = part(entry, '~', 2);
-  return termOfCode(std::string(part(type, '^', 0)), std::string(part(type, '^', 1)));
+//! Of "key:value|key:value|": the value; empty if there is none.
+std::string tagIn(std::string_view tags, std::string_view key) {
+  while (!tags.empty()) {
+    const std::string_view tag = part(tags, '|', 0);
+    if (part(tag, ':', 0) == key && tag.size() > key.size()) return std::string(tag.substr(key.size() + 1));
+    tags.remove_prefix(std::min(tags.size(), tag.size() + 1));
+  }
+  return {};
+}
+
+//! "scheme^value^meaning".
+CodedTerm codeIn(std::string_view text) {
+  const auto piece = [&](std::size_t i) { return std::string(trimmed(part(text, '^', i))); };
+  return {piece(1), piece(0), piece(2)};
+}
+
+std::vector<CodedTerm> modifiersIn(std::string_view text) {
+  const CodedTerm code = codeIn(text);
+  return code.value.empty() ? std::vector<CodedTerm>() : std::vector{code};
+}
+
+//! Of a terminology entry: context, category, type, its modifier, context of regions, region, its modifier.
+Terminology terminologyIn(std::string_view entry) {
+  const auto code = [&](std::size_t i) { return codeIn(part(entry, '~', i)); };
+  const auto modifiers = [&](std::size_t i) { return modifiersIn(part(entry, '~', i)); };
+  return {code(1), {code(2), modifiers(3)}, {code(5), modifiers(6)}};
+}
+
+FileLabel labelOf(std::string name, const std::string& colour, const std::string& tags) {
+  FileLabel label{std::move(name), colourIn(colour), {}, {}};
+  label.take(terminologyIn(tagIn(tags, slicer::kTerminologyTag)));
+  label.source.algorithm =
+      algorithmSaid(tagIn(tags, slicer::kAlgorithmTypeTag), tagIn(tags, slicer::kAlgorithmNameTag));
+  return label;
 }
 
 Keys keysOf(const std::string& path) {
@@ -88,9 +117,8 @@ std::vector<Segment> segmentsIn(const std::string& path) {
     const std::optional<int> value = number<int>(text);
     const int layer = number<int>(said("Layer")).value_or(0);
     if (!value || std::abs(*value) > kLargestValue || layer < 0 || layer > kMaxLayers) continue;
-    segments.push_back({static_cast<std::size_t>(layer),
-                        *value,
-                        {said("Name"), colourIn(said("Color")), termIn(said("Tags"))}});
+    segments.push_back(
+        {static_cast<std::size_t>(layer), *value, labelOf(said("Name"), said("Color"), said("Tags"))});
   }
   return segments;
 }
@@ -112,7 +140,14 @@ std::string termOfCode(const std::string& scheme, const std::string& value) {
   const auto& all = terms();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Term& t) { return t.type.value == value; });
-  return scheme != "SCT" || found == all.end() ? std::string() : found->name;
+  return scheme != kSnomed || found == all.end() ? std::string() : found->name;
+}
+
+void FileLabel::take(Terminology said) {
+  term = termOfCode(said.type.term.scheme, said.type.term.value);
+  source.terminology = usable(std::move(said));
+  const Term* known = termFromName(term);
+  if (known && source.terminology == terminologyOf(*known)) source.terminology.reset();
 }
 
 ObjectLabel labelledAs(const FileLabel& said, ObjectLabel label) {
@@ -122,6 +157,11 @@ ObjectLabel labelledAs(const FileLabel& said, ObjectLabel label) {
     label.colour = term->colour;
   }
   if (said.colour) label.colour = *said.colour;
+  if (!said.term.empty() || said.source.terminology) label.source.terminology = said.source.terminology;
+  if (said.term.empty() && said.source.terminology) label.term = plainTerm().name;
+  // That of what we wrote needs no word: it is written so again.
+  if (said.source.algorithm && said.source.algorithm != ownAlgorithm())
+    label.source.algorithm = said.source.algorithm;
   return label;
 }
 

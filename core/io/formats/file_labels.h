@@ -14,8 +14,10 @@ namespace handlebody {
 struct FileLabel {
   std::string name{};
   std::optional<Colour> colour{};
-  std::string term{};  //!< name of one of terms()
+  std::string term{};      //!< name of one of terms(): that with the code of the type
+  SegmentSource source{};  //!< a terminology only if it is not wholly that term's
 
+  void take(Terminology said);  //!< term and terminology
   //! It has a look of its own: a colour, or a term that brings one.
   bool hasLook() const { return colour || !term.empty(); }
 };
@@ -28,7 +30,7 @@ using FileLabels = std::map<int, FileLabel>;
 std::string termOfCode(const std::string& scheme, const std::string& value);
 
 //! `label` called, coloured and termed as the file says; what it does not say stays, and a name that a format
-//! could not hold is none. A term without a colour brings its own.
+//! could not hold is none. A term without a colour brings its own. What is not in our list is kept as it is.
 ObjectLabel labelledAs(const FileLabel& said, ObjectLabel label);
 
 //! The segments of 3D Slicer's .seg.nrrd, by the keys in its header. Empty for any other file.

@@ -64,13 +64,34 @@ std::string text(const Colour& colour) {
   return s.str();
 }
 
-std::string text(const Code& code) { return "SCT^" + code.value + "^" + code.meaning; }
+std::string text(const CodedTerm& code) { return code.scheme + "^" + code.value + "^" + code.meaning; }
+
+//! The entry has room for one.
+std::string firstOf(const std::vector<CodedTerm>& modifiers) {
+  return text(modifiers.empty() ? CodedTerm() : modifiers.front());
+}
 
 //! A terminology entry of vtkSlicerTerminologyEntry: context, category, type, its modifier, region context,
 //! region, its modifier.
-std::string terminologyEntry(const Term& term) {
-  return "Segmentation category and type - DICOM master list~" + text(term.category) + "~" + text(term.type) +
-         "~^^~Anatomic codes - DICOM master list~^^~^^";
+std::string terminologyEntry(const Terminology& t) {
+  return "Segmentation category and type - DICOM master list~" + text(t.category) + "~" + text(t.type.term) +
+         "~" + firstOf(t.type.modifiers) + "~Anatomic codes - DICOM master list~" + text(t.region.term) +
+         "~" + firstOf(t.region.modifiers);
+}
+
+//! In alphabetical order, as 3D Slicer has them.
+std::string tagsOf(const ObjectLabel& label) {
+  std::string tags;
+  const auto add = [&tags](const char* key, const std::string& value) {
+    tags += std::string(key) + ":" + value + "|";
+  };
+  if (label.source.algorithm) {
+    const SegmentAlgorithm algorithm = writtenAlgorithm(label.source.algorithm);
+    if (!algorithm.name.empty()) add(slicer::kAlgorithmNameTag, algorithm.name);
+    add(slicer::kAlgorithmTypeTag, algorithmTypeName(algorithm.type));
+  }
+  add(slicer::kTerminologyTag, terminologyEntry(terminologyOf(label)));
+  return tags;
 }
 
 //! The grid as 3D Slicer keeps it: the rows of the matrix from voxel to RAS, then the extent.
@@ -120,7 +141,6 @@ void writeSlicerSegmentation(const Volume& labels, const std::vector<ExportedObj
   const std::string extent = text(extentOf(labels));
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const ObjectLabel& label = objects[i].label;
-    const Term* term = termFromName(label.term);
     const auto set = [&](const char* key, const std::string& value) {
       keys["Segment" + std::to_string(i) + "_" + key] = value;
     };
@@ -132,7 +152,7 @@ void writeSlicerSegmentation(const Volume& labels, const std::vector<ExportedObj
     set("Extent", extent);
     set("LabelValue", std::to_string(label.value));
     set("Layer", "0");
-    set("Tags", "TerminologyEntry:" + terminologyEntry(term ? *term : plainTerm()) + "|");
+    set("Tags", tagsOf(label));
   }
   writeVolumeWithKeys(labels, path, keys);
 }

@@ -9,6 +9,14 @@
 
 namespace handlebody {
 
+//! Keys of the tags of a segment. Those of the algorithm are of 3D Slicer's reader and writer of DICOM
+//! Segmentations, its extension QuantitativeReporting.
+namespace slicer {
+inline constexpr const char* kTerminologyTag = "TerminologyEntry";
+inline constexpr const char* kAlgorithmTypeTag = "DICOM.SegmentAlgorithmType";
+inline constexpr const char* kAlgorithmNameTag = "DICOM.SegmentAlgorithmName";
+}  // namespace slicer
+
 //! True for .seg.nrrd (any case).
 bool isSlicerSegmentationPath(const std::string& path);
 

@@ -13,19 +13,6 @@ const Code kTissue{"85756007", "Tissue"};
 const Code kStructure{"123037004", "Anatomical Structure"};
 const Code kAltered{"49755003", "Morphologically Altered Structure"};
 
-//! The number of characters; nothing if the bytes are not UTF-8.
-std::optional<std::size_t> charactersOf(const std::string& text) {
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < text.size(); ++characters) {
-    const auto lead = static_cast<unsigned char>(text[i++]);
-    const int more = lead < 0x80 ? 0 : lead >> 5 == 6 ? 1 : lead >> 4 == 14 ? 2 : lead >> 3 == 30 ? 3 : -1;
-    if (more < 0) return std::nullopt;
-    for (int n = 0; n < more; ++n)
-      if (i == text.size() || (static_cast<unsigned char>(text[i++]) & 0xc0) != 0x80) return std::nullopt;
-  }
-  return characters;
-}
-
 }  // namespace
 
 const std::vector<Term>& terms() {
@@ -76,6 +63,17 @@ const Term* termFromName(const std::string& name) {
 
 const Term& plainTerm() { return terms().front(); }
 
+Terminology terminologyOf(const Term& term) {
+  const auto coded = [](const Code& code) { return CodedTerm{code.value, kSnomed, code.meaning}; };
+  return {coded(term.category), {coded(term.type), {}}, {}};
+}
+
+Terminology terminologyOf(const ObjectLabel& label) {
+  if (label.source.terminology) return *label.source.terminology;
+  const Term* term = termFromName(label.term);
+  return terminologyOf(term ? *term : plainTerm());
+}
+
 const std::vector<Colour>& distinctColours() {
   static const std::vector<Colour> all{{230, 159, 0}, {86, 180, 233}, {0, 158, 115},  {240, 228, 66},
                                        {0, 114, 178}, {213, 94, 0},   {204, 121, 167}};
@@ -86,6 +84,18 @@ int freeLabelValue(const std::vector<int>& taken) {
   int value = 1;
   while (std::find(taken.begin(), taken.end(), value) != taken.end()) ++value;
   return value;
+}
+
+std::optional<std::size_t> charactersOf(const std::string& text) {
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < text.size(); ++characters) {
+    const auto lead = static_cast<unsigned char>(text[i++]);
+    const int more = lead < 0x80 ? 0 : lead >> 5 == 6 ? 1 : lead >> 4 == 14 ? 2 : lead >> 3 == 30 ? 3 : -1;
+    if (more < 0) return std::nullopt;
+    for (int n = 0; n < more; ++n)
+      if (i == text.size() || (static_cast<unsigned char>(text[i++]) & 0xc0) != 0x80) return std::nullopt;
+  }
+  return characters;
 }
 
 NameFault nameFaultOf(const std::string& name) {

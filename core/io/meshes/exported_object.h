@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "core/io/meshes/terminology.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
 
-//! A coded concept of SNOMED CT, whose designator in DICOM is "SCT".
+inline constexpr const char* kSnomed = "SCT";  //!< designator of SNOMED CT in DICOM
+
+//! A coded concept of SNOMED CT.
 struct Code {
   std::string value;
   std::string meaning;  //!< 64 characters at most
@@ -38,10 +41,16 @@ struct ObjectLabel {
   std::string name = "Object";   //!< as checkObjectName
   Colour colour{128, 174, 128};  //!< 3D Slicer's for a tissue
   int value = 1;                 //!< of its voxels in a label map, 1 … 65535
-  std::string term = "tissue";   //!< name of one of terms()
+  std::string term = "tissue";   //!< name of one of terms(); the nearest, where the source says more
+  SegmentSource source{};        //!< what its file says of it besides
 
   friend bool operator==(const ObjectLabel&, const ObjectLabel&) = default;
 };
+
+//! The codes of one of the list.
+Terminology terminologyOf(const Term& term);
+//! What the object is, as it is written: its file's word, or else that of its term.
+Terminology terminologyOf(const ObjectLabel& label);
 
 //! Colours that are told apart at a glance, next to each other in this order: Okabe and Ito's, for the
 //! colour-blind too.

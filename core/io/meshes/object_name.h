@@ -2,6 +2,7 @@
 // Which names objects may have in the files of all formats.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace handlebody {
@@ -13,5 +14,8 @@ NameFault nameFaultOf(const std::string& name);
 
 inline constexpr const char* kNameSeparators = "\"\\|~^";
 inline constexpr std::size_t kLongestName = 64;  //!< characters, of DICOM's LO
+
+//! The number of characters; nothing if the bytes are not UTF-8.
+std::optional<std::size_t> charactersOf(const std::string& text);
 
 }  // namespace handlebody

@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "core/io/report/constraints_json.h"
 #include "core/io/report/parameter_names.h"
+#include "core/io/report/terminology_json.h"
 #include "core/told_error.h"
 
 namespace handlebody {
@@ -142,7 +143,9 @@ Json changesToJson(const std::vector<ParameterChange>& changes) {
 }
 
 Json labelToJson(const ObjectLabel& label) {
-  return {{"name", label.name}, {"colour", label.colour}, {"value", label.value}, {"term", label.term}};
+  Json json = {{"name", label.name}, {"colour", label.colour}, {"value", label.value}, {"term", label.term}};
+  addSource(json, label.source);
+  return json;
 }
 
 }  // namespace
@@ -424,6 +427,7 @@ ObjectLabel labelFromJson(const Json& json) {
     if (part < 0 || part > 255) throw UsageError("the object's colour is not within 0 and 255.");
     label.colour[i] = static_cast<std::uint8_t>(part);
   }
+  label.source = sourceFromJson(json);
   return label;
 }
 

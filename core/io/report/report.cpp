@@ -10,6 +10,7 @@
 #include "core/io/report/parameter_names.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/sensitivity_json.h"
+#include "core/io/report/terminology_json.h"
 
 namespace handlebody {
 
@@ -267,6 +268,7 @@ Json& addNamed(Json& json, const ObjectLabel& label) {
   object["label_value"] = label.value;
   object["colour"] = label.colour;
   object["term"] = label.term;
+  if (label.source.terminology) object["terminology"] = terminologyToJson(*label.source.terminology);
   return object;
 }
 

@@ -182,6 +182,7 @@ Session anonymous(Session session) {
   if (!session.volume.selection.series) session.volume.voxels.clear();
   session.volume.selection.series.reset();
   session.view.clear();
+  session.label.source = withoutSite(std::move(session.label.source));
   forEachWallMap(session, [](WallMap& map) { map.path.clear(); });
   forEachStart(session, [](StartSurface& s) { s.path.clear(); });
   return session;

@@ -62,8 +62,8 @@ void writeSessions(const std::vector<Session>& objects, const std::string& path)
 bool isSeeded(const Session& session);
 
 //! Without what may name the patient: the paths of the volume, of the label map of walls and of the surface
-//! to begin with, the series, and what a window keeps. Such a session says null for the paths, and keeps the
-//! voxels where a series was chosen.
+//! to begin with, the series, what a window keeps, and what may name a site (withoutSite). Such a session
+//! says null for the paths, and keeps the voxels where a series was chosen.
 Session anonymous(Session session);
 
 //! Where the files that a session names are now; empty: where it says.

@@ -236,6 +236,12 @@ Finding sharedVoxels(const Constraints& constraints) {
   return {K::givenShares, {{"voxels", constraints.start->shared}}};
 }
 
+SegmentSource sourceInFiles(SegmentSource source, const Constraints& constraints, int iteration,
+                            bool isAnonymous) {
+  if (!constraints.start || iteration > 0) source.algorithm.reset();
+  return isAnonymous ? withoutSite(std::move(source)) : source;
+}
+
 bool isMeshAsItIs(const Constraints& constraints) {
   return constraints.start && constraints.start->isDone && constraints.start->isMesh;
 }

@@ -31,4 +31,9 @@ Finding sharedVoxels(const Constraints& constraints);
 //! have been read.
 bool isMeshAsItIs(const Constraints& constraints);
 
+//! What of `source` stands in the files of a surface that has been shown at `iteration` under `constraints`:
+//! how it was made only if it is still as in its file. A growth or an edit makes it ours.
+SegmentSource sourceInFiles(SegmentSource source, const Constraints& constraints, int iteration,
+                            bool isAnonymous);
+
 }  // namespace handlebody

@@ -247,6 +247,49 @@ TEST_CASE("the segments of a file become objects with the names, colours and ter
   }
 }
 
+TEST_CASE("codes of a file that are not ours stay with its object, and how it was made until it grows",
+          "[objects][opened]") {
+  OpeningWork work;
+  Document& document = work.document;
+  const SegmentSource source{
+      Terminology{
+          {"T-D0050", "SRT", "Tissue"}, {{"T-71000", "SRT", "Kidney"}, {{"G-A101", "SRT", "Left"}}}, {}},
+      SegmentAlgorithm{AlgorithmType::automatic, "Net of X"}};
+  const std::vector<ExportedObject> meant{
+      {{"One", {17, 200, 33}, 1, "tissue", source}, icosphere(work.opposite().centre, 3, 1.0)}};
+  const QString path = work.torus.file("s.seg.dcm"), out = work.torus.file("out.seg.nrrd");
+  DicomOrigin origin;
+  origin.straight = false;
+  writeDicomSegmentation(labelMap(meant, document.volume().grid), meant, origin, {}, path.toStdString());
+  const auto written = [&](bool isAnonymous = false) {
+    work.written.clear();
+    document.exportObjects(out, CoordinateSpace::lps, {{}, {}, isAnonymous});
+    REQUIRE(work.isWritten(out));
+    return readSlicerLabels(out.toStdString()).begin()->second.source;
+  };
+  const OpenAs as = GENERATE(OpenAs::done, OpenAs::start);
+  REQUIRE(work.open(path, as));
+  const int index = as == OpenAs::done ? 0 : 1;
+  REQUIRE(waitFor([&] { return work.isShown(index) && (as == OpenAs::done || isAtRest(document)); }));
+  CHECK(document.objectInfo(index).label.source == source);
+  CHECK(written().terminology == source.terminology);
+  CHECK(written().algorithm->name == "Net of X, Handlebody");
+  CHECK(written(true).algorithm == SegmentAlgorithm{AlgorithmType::automatic, "Handlebody"});
+  if (as == OpenAs::done) {
+    const QString session = work.torus.file("s.json");
+    REQUIRE(work.save(session));
+    Document other;
+    REQUIRE(openAndWait(other, session));
+    CHECK(other.objectInfo(index).label.source == source);
+    document.duplicateObject(index);
+    CHECK(document.objectInfo(index + 1).label.source == source);
+  } else {
+    REQUIRE(runToEnd(document));
+    CHECK(written().terminology == source.terminology);
+    CHECK_FALSE(written().algorithm);
+  }
+}
+
 TEST_CASE("an encapsulated STL is opened as any mesh", "[objects][opened]") {
   OpeningWork work;
   const QString path = work.torus.file(GENERATE("ball.stl.dcm", "ball.dcm", "ball"));

@@ -101,6 +101,7 @@ class ObjectsWindowTest : public QObject {
   void twoObjectsGrowOneAfterTheOther();
   void theListIsDrivenByMouseAndKeys();
   void propertiesAreChangedInADialog();
+  void aTermOfAFileStandsFirstUntilAnotherIsChosen();
   void allAreExportedTogether();
   void aDroppedMeshIsAskedAboutAndBecomesAnObject();
   void droppedDicomIsKnownByWhatIsInIt();
@@ -219,6 +220,37 @@ void ObjectsWindowTest::propertiesAreChangedInADialog() {
   QCOMPARE(label.value, 2);
   QCOMPARE(tableOf(*window)->item(1, 0)->text(), QString("Liver"));
   QCOMPARE(window->document().undoStack()->undoText(), QString("Change object"));
+}
+
+void ObjectsWindowTest::aTermOfAFileStandsFirstUntilAnotherIsChosen() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  ui::Document& document = window->document();
+  ObjectLabel label = document.objectInfo(0).label;
+  label.source.terminology = Terminology{
+      {"T-D0050", "SRT", "Tissue"}, {{"T-71000", "SRT", "Kidney"}, {{"G-A101", "SRT", "Left"}}}, {}};
+  label.source.algorithm = SegmentAlgorithm{AlgorithmType::automatic, "Net"};
+  document.setObjectLabel(0, label, QStringLiteral("Change object"));
+  const auto choose = [&](int index) {
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    auto* dialog = window->findChild<ui::ObjectDialog*>();
+    QVERIFY(dialog && QTest::qWaitForWindowExposed(dialog));
+    auto* term = dialog->findChild<QComboBox*>();
+    QCOMPARE(term->currentText(), QString("Kidney, Left"));
+    QCOMPARE(term->count(), static_cast<int>(terms().size()) + 1);
+    if (index < 0) index = term->findData("liver");
+    term->setCurrentIndex(index);
+    Q_EMIT term->activated(index);
+    dialog->accept();
+    QTRY_VERIFY(!window->findChild<ui::ObjectDialog*>());
+  };
+  choose(0);
+  QVERIFY(document.objectInfo(0).label == label);
+  choose(-1);
+  QCOMPARE(document.objectInfo(0).label.term, std::string("liver"));
+  QVERIFY(!document.objectInfo(0).label.source.terminology);
+  QVERIFY(document.objectInfo(0).label.source.algorithm == label.source.algorithm);
 }
 
 void ObjectsWindowTest::allAreExportedTogether() {

@@ -58,9 +58,7 @@ void ObjectDialog::build() {
   describe(colourButton_, tr("Colour"), tr("Of its surface and outlines, and in files that hold colours"));
   form->addRow(tr("&Colour"), colourButton_);
   term_ = new QComboBox(this);
-  for (const Term& term : terms())
-    term_->addItem(QString::fromStdString(term.type.meaning), QString::fromStdString(term.name));
-  term_->setCurrentIndex(term_->findData(QString::fromStdString(before_.term)));
+  offerTerms();
   describe(term_, tr("Term"), tr("What it is, as a code of SNOMED CT; gives the colour, too"));
   form->addRow(tr("&Term"), term_);
   value_ = new QSpinBox(this);
@@ -78,23 +76,35 @@ void ObjectDialog::build() {
   layout->addWidget(buttons_);
 }
 
+//! What the object's file says of it comes first, without a name of our list.
+void ObjectDialog::offerTerms() {
+  const auto& said = before_.source.terminology;
+  if (said) term_->addItem(QString::fromStdString(meaningOf(*said)), QString());
+  for (const Term& term : terms())
+    term_->addItem(QString::fromStdString(term.type.meaning), QString::fromStdString(term.name));
+  term_->setCurrentIndex(said ? 0 : term_->findData(QString::fromStdString(before_.term)));
+}
+
 ObjectLabel ObjectDialog::label() const {
-  ObjectLabel label;
+  ObjectLabel label = before_;
   label.name = name_->text().toStdString();
   label.colour = colour_;
   label.value = value_->value();
-  label.term = term_->currentData().toString().toStdString();
+  if (const std::string term = term_->currentData().toString().toStdString(); !term.empty()) {
+    label.term = term;
+    label.source.terminology.reset();
+  }
   return label;
 }
 
 //! A name that was made up gives way to what the object is.
 void ObjectDialog::takeTerm() {
   const Term* term = termFromName(term_->currentData().toString().toStdString());
-  if (!term) return;
-  colour_ = term->colour;
+  colour_ = term ? term->colour : before_.colour;
   colourButton_->setIcon(filled(colour_));
+  if (!term) return;  // what its file says is taken up again, and its name stays
   const bool isMadeUp = name_->text().startsWith(tr("Object"));
-  if (isMadeUp || termFromName(before_.term)->type.meaning == name_->text().toStdString())
+  if (isMadeUp || terminologyOf(before_).type.term.meaning == name_->text().toStdString())
     name_->setText(QString::fromStdString(term->type.meaning));
 }
 

@@ -27,6 +27,7 @@ class ObjectDialog : public QDialog {
 
  private:
   void build();
+  void offerTerms();
   void takeTerm();
   void chooseColour();
   void showFault();
