@@ -71,6 +71,7 @@ struct ActiveContour::State {
   void resolve();
   void chooseWalls();
   void chooseForbidden();
+  std::shared_ptr<const SizeField> sizesFor(const std::vector<Seed>& inside) const;
   void chooseSizes(const std::vector<Seed>& inside, bool anew);
   void splitLongEdges();
   //! `withStart`: with the surface that was given, if one was; else with spheres at the seeds.

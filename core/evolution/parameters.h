@@ -24,8 +24,9 @@ std::vector<Seed> seedsOfSide(const std::vector<Seed>& seeds, bool background);
 enum class ObjectKind { automatic, dark, bright };
 enum class Direction { outward, both };
 //! How the target edge length depends on the place: everywhere the same, or longer where the image shows no
-//! boundary near by (size_field.h).
-enum class Resolution { uniform, adaptive };
+//! boundary near by (size_field.h). Automatic: longer where that saves steps, in objects that are wide for
+//! their edges; what was used is one of the others.
+enum class Resolution { automatic, uniform, adaptive };
 
 //! Intensities of the object, both ends included; infinite ends are allowed.
 struct IntensityRange {
@@ -48,7 +49,7 @@ struct Parameters {
   int maxIterations = 3000;
   int threads = 0;  //!< 0 = all that the machine has; the mesh does not depend on it
   BroadPhase broadPhase = BroadPhase::sorted;  //!< of the detection; the mesh does not depend on it
-  Resolution resolution = Resolution::uniform;
+  Resolution resolution = Resolution::automatic;
   bool operator==(const Parameters&) const = default;
 };
 

@@ -129,7 +129,9 @@ SizeField::SizeField(const ObjectImage& image, const std::vector<Vec3>& starts, 
   const double toBoundary = (kHalfDiagonal + kTooLarge) * grid_.spacing.maxCoeff() +
                             kHalfDiagonal * image.volume().grid().spacing.maxCoeff();
   for (float& s : sizes_) {
-    const double more = kGrade * ((static_cast<double>(s) - toBoundary) / edgeLength - kNear);
+    const double away = (static_cast<double>(s) - toBoundary) / edgeLength;
+    widest_ = std::max(widest_, away);
+    const double more = kGrade * (away - kNear);
     s = static_cast<float>(std::clamp(1 + more, 1.0, kLongest));
   }
 }

@@ -27,11 +27,15 @@ class SizeField {
   double at(const Vec3& world) const;
   //! The least within a ball.
   double leastWithin(const Vec3& centre, double radius) const;
+  //! The most edge lengths that a place of the object has to where its boundary may lie; 0 if nothing is
+  //! known.
+  double widest() const { return widest_; }
   std::size_t memory() const { return sizes_.size() * sizeof(float); }
 
  private:
   Grid grid_;                 // of the cells in the box of that part, and one more on every side
   std::vector<float> sizes_;  // at their centres
+  double widest_ = 0;         // edge lengths
 };
 
 }  // namespace handlebody

@@ -72,7 +72,8 @@ std::vector<Conflict> nestingFaults(const StepResult& step, const Components& pa
   return out;
 }
 
-void certifyWhole(const Mesh& mesh) {
+void certifyWhole(const Mesh& mesh, double volume) {
+  if (volume != signedVolume(mesh)) throw std::logic_error("The volume of a step is not that of its mesh.");
   if (mesh.faceCount() == 0) return;
   if (findStructureFault(mesh) || !certify(mesh.compact()).boundsBody())
     throw std::logic_error("A step has passed its check and left an invalid mesh.");
@@ -140,10 +141,10 @@ std::vector<Conflict> StepCheck::faultsOf(const StepResult& step) {
   if (faults.empty()) faults = coverageFaults(step);
   if (faults.empty()) faults = topologyFaults(step);
   if (!faults.empty()) return faults;
-  volume_ = signedVolume(step.mesh);
+  volume_ = enclosed_.follow(step.mesh, step.touched);
   if (step.mesh.faceCount() > 0 && !(std::isfinite(volume_) && volume_ > 0))
     return conflictsAtEvents(step, FindingKind::enclosesNothing);
-  if constexpr (kChecksWhole) certifyWhole(step.mesh);
+  if constexpr (kChecksWhole) certifyWhole(step.mesh, volume_);
   return {};
 }
 

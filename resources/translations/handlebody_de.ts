@@ -1172,10 +1172,6 @@
         <translation>das ist keine STL-Datei, oder sie ist abgeschnitten</translation>
     </message>
     <message>
-        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)</source>
-        <translation>das ist keine Netzdatei (.stl, .vtp, .ply, .obj, .stl.dcm)</translation>
-    </message>
-    <message>
         <source>triangle strips are not supported</source>
         <translation>Dreiecksstreifen werden nicht unterstützt</translation>
     </message>
@@ -1786,6 +1782,18 @@
     <message>
         <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
         <translation>Die Anfangsoberfläche {file} trifft auf das Objekt „{object}“, das vor ihr kommt. Labels einer Karte, die sich berühren, werden auseinandergehalten, wenn sie zusammen geöffnet werden, mit gleicher Glättung, gleichem größten Teil und gleichen Tunneln.</translation>
+    </message>
+    <message>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .3mf, .stl.dcm)</source>
+        <translation>das ist keine Netzdatei (.stl, .vtp, .ply, .obj, .3mf, .stl.dcm)</translation>
+    </message>
+    <message>
+        <source>it is encrypted</source>
+        <translation>die Datei ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>it needs an extension of {format} that is not supported ({extension})</source>
+        <translation>die Datei braucht eine Erweiterung von {format}, die nicht unterstützt wird ({extension})</translation>
     </message>
 </context>
 <context>
@@ -3404,6 +3412,10 @@ Mittel ± SA</translation>
         <source>there is no way from one to the other inside of the object</source>
         <translation>im Innern des Objekts führt kein Weg vom einen zum anderen</translation>
     </message>
+    <message>
+        <source>3MF files</source>
+        <translation>3MF-Dateien</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -3563,10 +3575,6 @@ Mittel ± SA</translation>
         <translation>Die Referenz wählen</translation>
     </message>
     <message>
-        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
-        <translation>Netze und Labelkarten (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -3617,6 +3625,10 @@ Mittel ± SA</translation>
     <message>
         <source>Save the distances</source>
         <translation>Die Abstände speichern</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
+        <translation>Netze und Labelkarten (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -4542,10 +4554,6 @@ Mittel ± SA</translation>
         <translation>Bildvolumen und Sitzungen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
-        <translation>Netze und Labelkarten (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Open a mesh or a label map</source>
         <translation>Ein Netz oder eine Labelkarte öffnen</translation>
     </message>
@@ -4592,6 +4600,10 @@ Mittel ± SA</translation>
     <message>
         <source>Segments overlap: what several of them hold is left to the smallest (voxels: %1). Step 4, Grow, tells it of each.</source>
         <translation>Segmente überlappen sich: Was mehrere von ihnen enthalten, bleibt dem kleinsten (Voxel: %1). Schritt 4, Wachsen, sagt es von jedem.</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
+        <translation>Netze und Labelkarten (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -6938,6 +6950,10 @@ oder eine Datei hier ablegen</translation>
     <message>
         <source>The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. They are tinted for a moment after every change; with this on, all the time</source>
         <translation>Die Voxel, in die die Oberfläche getrieben wird: geglättet, bis zu durchtrennten Engstellen und zu Wänden. Sie werden nach jeder Änderung kurz getönt; hiermit immer</translation>
+    </message>
+    <message>
+        <source>Adaptive where the object is wide for its edges, so that this saves iterations</source>
+        <translation>Adaptiv, wo das Objekt für seine Kanten so breit ist, dass dies Iterationen spart</translation>
     </message>
 </context>
 <context>

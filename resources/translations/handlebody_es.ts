@@ -1172,10 +1172,6 @@
         <translation>no es un archivo STL, o está truncado</translation>
     </message>
     <message>
-        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)</source>
-        <translation>no es un archivo de malla (.stl, .vtp, .ply, .obj, .stl.dcm)</translation>
-    </message>
-    <message>
         <source>triangle strips are not supported</source>
         <translation>no se admiten tiras de triángulos</translation>
     </message>
@@ -1786,6 +1782,18 @@
     <message>
         <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
         <translation>La superficie inicial, {file}, toca el objeto «{object}», que va antes que ella. Las etiquetas de un mismo mapa que se tocan se mantienen separadas si se abren juntas, con los mismos ajustes de suavizado, parte mayor y túneles.</translation>
+    </message>
+    <message>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .3mf, .stl.dcm)</source>
+        <translation>no es un archivo de malla (.stl, .vtp, .ply, .obj, .3mf, .stl.dcm)</translation>
+    </message>
+    <message>
+        <source>it is encrypted</source>
+        <translation>está cifrado</translation>
+    </message>
+    <message>
+        <source>it needs an extension of {format} that is not supported ({extension})</source>
+        <translation>necesita una extensión de {format} que no se admite ({extension})</translation>
     </message>
 </context>
 <context>
@@ -3404,6 +3412,10 @@ cercano (mm)</translation>
         <source>there is no way from one to the other inside of the object</source>
         <translation>no hay camino de uno a otro dentro del objeto</translation>
     </message>
+    <message>
+        <source>3MF files</source>
+        <translation>archivos 3MF</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -3563,10 +3575,6 @@ cercano (mm)</translation>
         <translation>Elegir la referencia</translation>
     </message>
     <message>
-        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
-        <translation>Mallas y mapas de etiquetas (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
@@ -3617,6 +3625,10 @@ cercano (mm)</translation>
     <message>
         <source>Save the distances</source>
         <translation>Guardar las distancias</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
+        <translation>Mallas y mapas de etiquetas (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -4542,10 +4554,6 @@ cercano (mm)</translation>
         <translation>Volúmenes y sesiones (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
-        <translation>Mallas y mapas de etiquetas (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Open a mesh or a label map</source>
         <translation>Abrir una malla o un mapa de etiquetas</translation>
     </message>
@@ -4592,6 +4600,10 @@ cercano (mm)</translation>
     <message>
         <source>Segments overlap: what several of them hold is left to the smallest (voxels: %1). Step 4, Grow, tells it of each.</source>
         <translation>Hay segmentos que se solapan: lo que contienen varios de ellos se deja al menor (vóxeles: %1). El paso 4, Crecer, lo dice de cada uno.</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
+        <translation>Mallas y mapas de etiquetas (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -6938,6 +6950,10 @@ o soltar aquí un archivo</translation>
     <message>
         <source>The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. They are tinted for a moment after every change; with this on, all the time</source>
         <translation>Los vóxeles hacia los que avanza la superficie: suavizados, hasta los cuellos cortados y las paredes. Se tiñen un momento tras cada cambio; marcado, siempre</translation>
+    </message>
+    <message>
+        <source>Adaptive where the object is wide for its edges, so that this saves iterations</source>
+        <translation>Adaptativa donde el objeto es lo bastante ancho para sus aristas como para ahorrar iteraciones</translation>
     </message>
 </context>
 <context>

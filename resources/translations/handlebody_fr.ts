@@ -1172,10 +1172,6 @@
         <translation>ce n’est pas un fichier STL, ou il est tronqué</translation>
     </message>
     <message>
-        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)</source>
-        <translation>ce n’est pas un fichier de maillage (.stl, .vtp, .ply, .obj, .stl.dcm)</translation>
-    </message>
-    <message>
         <source>triangle strips are not supported</source>
         <translation>les bandes de triangles ne sont pas prises en charge</translation>
     </message>
@@ -1786,6 +1782,18 @@
     <message>
         <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
         <translation>La surface de départ, {file}, rencontre l’objet « {object} », qui vient avant elle. Les étiquettes d’une même carte qui se touchent sont tenues séparées si elles sont ouvertes ensemble, avec les mêmes réglages de lissage, de plus grande partie et de tunnels.</translation>
+    </message>
+    <message>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .3mf, .stl.dcm)</source>
+        <translation>ce n’est pas un fichier de maillage (.stl, .vtp, .ply, .obj, .3mf, .stl.dcm)</translation>
+    </message>
+    <message>
+        <source>it is encrypted</source>
+        <translation>il est chiffré</translation>
+    </message>
+    <message>
+        <source>it needs an extension of {format} that is not supported ({extension})</source>
+        <translation>il lui faut une extension de {format} qui n’est pas prise en charge ({extension})</translation>
     </message>
 </context>
 <context>
@@ -3404,6 +3412,10 @@ proche (mm)</translation>
         <source>there is no way from one to the other inside of the object</source>
         <translation>aucun chemin ne mène de l’un à l’autre à l’intérieur de l’objet</translation>
     </message>
+    <message>
+        <source>3MF files</source>
+        <translation>fichiers 3MF</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -3563,10 +3575,6 @@ proche (mm)</translation>
         <translation>Choisir la référence</translation>
     </message>
     <message>
-        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
-        <translation>Maillages et cartes d’étiquettes (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
@@ -3617,6 +3625,10 @@ proche (mm)</translation>
     <message>
         <source>Save the distances</source>
         <translation>Enregistrer les distances</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
+        <translation>Maillages et cartes d’étiquettes (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -4542,10 +4554,6 @@ proche (mm)</translation>
         <translation>Volumes et sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
-        <translation>Maillages et cartes d’étiquettes (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Open a mesh or a label map</source>
         <translation>Ouvrir un maillage ou une carte d’étiquettes</translation>
     </message>
@@ -4592,6 +4600,10 @@ proche (mm)</translation>
     <message>
         <source>Segments overlap: what several of them hold is left to the smallest (voxels: %1). Step 4, Grow, tells it of each.</source>
         <translation>Des segments se chevauchent : ce que plusieurs d’entre eux contiennent est laissé au plus petit (voxels : %1). L’étape 4, Croissance, le dit de chacun.</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
+        <translation>Maillages et cartes d’étiquettes (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -6938,6 +6950,10 @@ ou déposer un fichier ici</translation>
     <message>
         <source>The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. They are tinted for a moment after every change; with this on, all the time</source>
         <translation>Les voxels vers lesquels la surface est poussée : lissés, jusqu’aux cols coupés et aux parois. Ils sont teintés un instant après chaque modification ; coché, en permanence</translation>
+    </message>
+    <message>
+        <source>Adaptive where the object is wide for its edges, so that this saves iterations</source>
+        <translation>Adaptative là où l’objet est assez large pour ses arêtes pour économiser des itérations</translation>
     </message>
 </context>
 <context>

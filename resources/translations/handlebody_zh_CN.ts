@@ -1172,10 +1172,6 @@
         <translation>这不是 STL 文件，或已被截断</translation>
     </message>
     <message>
-        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)</source>
-        <translation>这不是网格文件（.stl、.vtp、.ply、.obj、.stl.dcm）</translation>
-    </message>
-    <message>
         <source>triangle strips are not supported</source>
         <translation>不支持三角形条带</translation>
     </message>
@@ -1786,6 +1782,18 @@
     <message>
         <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
         <translation>起始表面 {file} 与排在其前的目标“{object}”相遇。同一标签图中相互接触的标签，只有一起打开且平滑、最大部分和隧道的设置相同时才会保持分开。</translation>
+    </message>
+    <message>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .3mf, .stl.dcm)</source>
+        <translation>这不是网格文件（.stl、.vtp、.ply、.obj、.3mf、.stl.dcm）</translation>
+    </message>
+    <message>
+        <source>it is encrypted</source>
+        <translation>该文件已加密</translation>
+    </message>
+    <message>
+        <source>it needs an extension of {format} that is not supported ({extension})</source>
+        <translation>它需要不受支持的 {format} 扩展（{extension}）</translation>
     </message>
 </context>
 <context>
@@ -3404,6 +3412,10 @@ mean ± SD</source>
         <source>there is no way from one to the other inside of the object</source>
         <translation>目标内部没有从一点到另一点的通路</translation>
     </message>
+    <message>
+        <source>3MF files</source>
+        <translation>3MF 文件</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -3563,10 +3575,6 @@ mean ± SD</source>
         <translation>选择参考</translation>
     </message>
     <message>
-        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
-        <translation>网格和标签图 (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
@@ -3617,6 +3625,10 @@ mean ± SD</source>
     <message>
         <source>Save the distances</source>
         <translation>保存距离</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
+        <translation>网格和标签图 (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -4542,10 +4554,6 @@ mean ± SD</source>
         <translation>体数据和会话 (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
-        <translation>网格和标签图 (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>Open a mesh or a label map</source>
         <translation>打开网格或标签图</translation>
     </message>
@@ -4592,6 +4600,10 @@ mean ± SD</source>
     <message>
         <source>Segments overlap: what several of them hold is left to the smallest (voxels: %1). Step 4, Grow, tells it of each.</source>
         <translation>分割区有重叠：多个分割区共有的部分归最小者（体素数：%1）。第 4 步“生长”说明每个目标的情况。</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
+        <translation>网格和标签图 (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -6938,6 +6950,10 @@ or drop a file here</source>
     <message>
         <source>The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. They are tinted for a moment after every change; with this on, all the time</source>
         <translation>曲面将进入的体素：平滑后的，止于被切断的狭窄处和壁。每次更改后短暂着色；勾选后始终着色</translation>
+    </message>
+    <message>
+        <source>Adaptive where the object is wide for its edges, so that this saves iterations</source>
+        <translation>当对象相对于边长足够宽、可减少迭代时使用自适应</translation>
     </message>
 </context>
 <context>

@@ -110,7 +110,7 @@ TEST_CASE("an adaptive surface takes fewer iterations, is told by the report, an
   CHECK(readBytes(run.folder / "a.vtp") == readBytes(run.folder / "r.vtp"));
   const Outcome refused = runCli(run.arguments({"--resolution", "coarse", "-o", run.folder / "d.vtp"}));
   CHECK(refused.exitCode == 2);
-  CHECK_THAT(refused.err, Contains("--resolution: 'coarse' is not adaptive or uniform."));
+  CHECK_THAT(refused.err, Contains("--resolution: 'coarse' is not auto, adaptive or uniform."));
 }
 
 TEST_CASE("the paper's hashing gives the same mesh, is told by the report and kept by the session",

@@ -50,7 +50,7 @@ void setBroadPhase(Parameters& p, Text text) {
 
 void setResolution(Parameters& p, Text text) {
   const auto resolution = resolutionFromName(text);
-  if (!resolution) throw OptionError("--resolution", "'" + text + "' is not adaptive or uniform.");
+  if (!resolution) throw OptionError("--resolution", "'" + text + "' is not auto, adaptive or uniform.");
   p.resolution = *resolution;
 }
 
@@ -101,9 +101,10 @@ std::vector<GrowthOption> makeParameterOptions() {
                 "How near vertices are found: the paper's eight hash functions, or one sorted table "
                 "(default); the mesh does not depend on it",
                 setBroadPhase),
-      parameter("--resolution", "adaptive|uniform",
+      parameter("--resolution", "auto|adaptive|uniform",
                 "adaptive: edges and steps up to four times as long where the image shows no boundary near "
-                "by; uniform (default): the same everywhere",
+                "by; uniform: the same everywhere; auto (default): adaptive in objects that are wide for "
+                "their edges",
                 setResolution),
   };
 }

@@ -30,11 +30,19 @@ std::optional<Direction> directionFromName(std::string_view name) {
 }
 
 const char* resolutionName(Resolution resolution) {
-  return resolution == Resolution::uniform ? "uniform" : "adaptive";
+  switch (resolution) {
+    case Resolution::automatic:
+      return "auto";
+    case Resolution::uniform:
+      return "uniform";
+    case Resolution::adaptive:
+      break;
+  }
+  return "adaptive";
 }
 
 std::optional<Resolution> resolutionFromName(std::string_view name) {
-  for (Resolution resolution : {Resolution::uniform, Resolution::adaptive})
+  for (Resolution resolution : {Resolution::automatic, Resolution::uniform, Resolution::adaptive})
     if (name == resolutionName(resolution)) return resolution;
   return std::nullopt;
 }

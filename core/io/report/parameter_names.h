@@ -18,7 +18,7 @@ const char* directionName(Direction direction);
 //! None for any other word.
 std::optional<Direction> directionFromName(std::string_view name);
 
-//! "uniform", "adaptive".
+//! "auto", "uniform", "adaptive".
 const char* resolutionName(Resolution resolution);
 //! None for any other word.
 std::optional<Resolution> resolutionFromName(std::string_view name);

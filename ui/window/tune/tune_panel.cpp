@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
 #include "ui/model/document.h"
 #include "ui/view/view_state.h"
@@ -25,6 +26,7 @@ namespace handlebody::ui {
 
 namespace {
 
+constexpr std::array kResolutions{Resolution::automatic, Resolution::uniform, Resolution::adaptive};
 constexpr int kTintStays = 2500;  // ms after the last change
 
 }  // namespace
@@ -178,14 +180,15 @@ QWidget* TunePanel::buildExpert() {
   QFormLayout* form = panelForm();
   form->addRow(
       tr("Edges"),
-      choiceRow(tr("Edges"), {tr("Uniform"), tr("Adaptive")},
-                {tr("The target edge length is the same everywhere"),
+      choiceRow(tr("Edges"), {tr("Auto"), tr("Uniform"), tr("Adaptive")},
+                {tr("Adaptive where the object is wide for its edges, so that this saves iterations"),
+                 tr("The target edge length is the same everywhere"),
                  tr("Edges and steps are up to four times as long where the image shows no boundary near by: "
                     "fewer iterations")},
                 resolution_, part));
   connect(resolution_, &QButtonGroup::idClicked, this, [this](int id) {
     apply(tr("Change edges"), -1,
-          [id](Parameters& p) { p.resolution = id == 0 ? Resolution::uniform : Resolution::adaptive; });
+          [id](Parameters& p) { p.resolution = kResolutions[static_cast<std::size_t>(id)]; });
   });
   form->addRow(
       tr("Collisions"),
@@ -260,7 +263,8 @@ void TunePanel::show() {
   object_->button(2)->setText(
       !used ? tr("Auto") : (used->object == ObjectKind::dark ? tr("Auto (dark)") : tr("Auto (bright)")));
   direction_->button(p.direction == Direction::outward ? 0 : 1)->setChecked(true);
-  resolution_->button(p.resolution == Resolution::uniform ? 0 : 1)->setChecked(true);
+  const auto resolution = std::find(kResolutions.begin(), kResolutions.end(), p.resolution);
+  resolution_->button(static_cast<int>(resolution - kResolutions.begin()))->setChecked(true);
   broadPhase_->button(p.broadPhase == BroadPhase::sorted ? 0 : 1)->setChecked(true);
   smoothing_->show(p.smoothing, used ? std::optional(used->smoothing) : std::nullopt);
   edgeLength_->show(p.edgeLength, used ? std::optional(used->edgeLength) : std::nullopt);
