@@ -29,7 +29,7 @@ constexpr double kStep =
 constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
 // Of an object, from a place in it to its boundary: from here on longer edges save a fifth of the time and
 // more (docs/adaptive.md).
-constexpr double kWideEdges = 8;
+constexpr double kWideEdges = 6;
 constexpr double kAgrees = 0.5;  // voxels between a boundary and a surface that agree
 
 //! A surface says more than a click at its deepest place: a ball there is all of the object.

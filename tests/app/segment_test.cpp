@@ -99,10 +99,12 @@ TEST_CASE("the mesh is the same bit for bit with one and two threads and in two 
 TEST_CASE("an adaptive surface takes fewer iterations, is told by the report, and is replayed bit for bit",
           "[cli][segment]") {
   const SphereRun run;
-  run.requireSuccess({"-o", run.folder / "u.vtp", "--report", run.folder / "u.json"});
+  run.requireSuccess(
+      {"-o", run.folder / "u.vtp", "--report", run.folder / "u.json", "--session", run.folder / "us.json"});
   run.requireSuccess({"-o", run.folder / "a.vtp", "--resolution", "adaptive", "--report",
                       run.folder / "a.json", "--session", run.folder / "s.json"});
-  CHECK(run.json("u.json").at("parameters").at("resolution") == "uniform");
+  CHECK(run.json("u.json").at("parameters").at("resolution") == "uniform");  // a small ball
+  CHECK(run.json("us.json").at("requested").at("resolution") == "auto");
   CHECK(run.json("a.json").at("parameters").at("resolution") == "adaptive");
   CHECK(run.json("s.json").at("requested").at("resolution") == "adaptive");
   CHECK(run.json("a.json").at("iterations") < run.json("u.json").at("iterations"));

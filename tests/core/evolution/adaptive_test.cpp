@@ -126,3 +126,34 @@ TEST_CASE("walls and pins that come on the way make the surface fine again, and 
   CHECK(contour.stopReason() == StopReason::converged);
   CHECK(isFree(contour.mesh(), request.constraints.walls, volume.grid));
 }
+
+TEST_CASE("left to itself the resolution is adaptive where the object is wide for its edges") {
+  CHECK(Parameters().resolution == Resolution::automatic);
+  const Volume volume = wideVolume(wideBall);
+  Parameters p;
+  const auto used = [&] { return ActiveContour(volume, {{kCentre, 4.0}}, p).parameters().resolution; };
+  p.edgeLength = kRadius / 10;
+  CHECK(used() == Resolution::adaptive);
+  p.edgeLength = kRadius / 5;
+  CHECK(used() == Resolution::uniform);
+  p.edgeLength = kRadius / 10;
+  const Volume pierced = wideVolume(piercedBall);
+  Parameters asked = p;
+  asked.resolution = Resolution::adaptive;
+  CHECK(isSame(grown(pierced, p).mesh(), grown(pierced, asked).mesh()));
+}
+
+TEST_CASE("what is automatic is uniform with walls, and adaptive again when they are taken down") {
+  const Volume volume = wideVolume(wideBall);
+  Parameters p;
+  p.edgeLength = kRadius / 10;
+  ActiveContour contour(volume, {{kCentre, 4.0}}, p);
+  CHECK(contour.parameters().resolution == Resolution::adaptive);
+  Request request = contour.request();
+  request.constraints.walls.balls.push_back({kCentre + Vec3(17, 0, 0), 3.0});
+  contour.change(request);
+  CHECK(contour.parameters().resolution == Resolution::uniform);
+  request.constraints.walls.balls.clear();
+  contour.change(request);
+  CHECK(contour.parameters().resolution == Resolution::adaptive);
+}
