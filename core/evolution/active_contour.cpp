@@ -34,7 +34,6 @@ void ActiveContour::State::keepOrder() {
   if (mesh.vertexSlots() < kGrowthToReorder * orderedVertices) return;
   const std::vector<int> order = mortonOrder(mesh, parameters.edgeLength);
   mesh.reorder(order);
-  transaction.forgetSlots();
   locked.pins.reorder(order);
   chooseForbidden();
   active.reorder(order);

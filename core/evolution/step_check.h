@@ -7,7 +7,6 @@
 #include "core/mesh/marks.h"
 #include "core/mesh/smaller_components.h"
 #include "core/mesh/structure.h"
-#include "core/mesh/surface_volume.h"
 #include "core/surgery/topology_adaptation.h"
 
 namespace handlebody {
@@ -41,12 +40,7 @@ class StepCheck {
   //! mm³ enclosed by the mesh last looked at.
   double volume() const { return volume_; }
   //! After a step that was not kept.
-  void forgetPlaces() {
-    smaller_.forget();
-    enclosed_.forget();
-  }
-  //! After vertices or faces have got other slots.
-  void forgetSlots() { enclosed_.forget(); }
+  void forgetPlaces() { smaller_.forget(); }
 
  private:
   std::vector<Conflict> structureFaults(const StepResult& step);
@@ -55,7 +49,6 @@ class StepCheck {
   std::vector<Conflict> componentFaults(const StepResult& step, const TopologyNumbers& expected);
   StructureCheck structure_;
   SmallerComponents smaller_;  // of the mesh last looked at, as long as all went well
-  SurfaceVolume enclosed_;     // of the same
   double volume_ = 0;
 };
 

@@ -69,8 +69,6 @@ class StepTransaction {
   const Mesh& before() const { return transaction_.before(); }
   //! mm³ enclosed by the mesh that it left.
   double volume() const { return transaction_.volume(); }
-  //! After vertices or faces have got other slots.
-  void forgetSlots() { transaction_.forgetSlots(); }
   //! What is known of components that may collapse: forgotten after a change of what moves the surface, and
   //! taken back to an earlier copy after a step that was cancelled.
   const CollapsedComponents& collapsed() const { return collapsed_; }

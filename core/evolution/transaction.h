@@ -55,8 +55,6 @@ class Transaction {
   Attempt runOnce(const StepWork& work);
   //! What the step that is being made, or was made last, started from.
   const Mesh& before() const { return before_; }
-  //! After vertices or faces have got other slots.
-  void forgetSlots() { check_.forgetSlots(); }
   //! mm³ enclosed by the mesh that is left.
   double volume() const { return volume_; }
 

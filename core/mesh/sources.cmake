@@ -1,7 +1,6 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/mesh/validity.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/mesh.cpp
-  ${CMAKE_SOURCE_DIR}/core/mesh/surface_volume.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/mesh_copy.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/pieces.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/containment.cpp

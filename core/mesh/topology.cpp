@@ -95,15 +95,13 @@ Components findComponents(const Mesh& mesh) {
   return c;
 }
 
-double enclosedBy(const Mesh& mesh, const Triangle& t) {
-  const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
-  return a.dot((b - a).cross(c - a)) / 6;
-}
-
 double signedVolume(const Mesh& mesh) {
   double volume = 0;
-  for (const Triangle& t : mesh.faces())
-    if (t[0] >= 0) volume += enclosedBy(mesh, t);
+  for (const Triangle& t : mesh.faces()) {
+    if (t[0] < 0) continue;
+    const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
+    volume += a.dot((b - a).cross(c - a)) / 6;
+  }
   return volume;
 }
 

@@ -41,8 +41,6 @@ Components findComponents(const Mesh& mesh);
 
 //! Signed volume of all components together, mm³: cavities count negative.
 double signedVolume(const Mesh& mesh);
-//! The share of one face in it, mm³.
-double enclosedBy(const Mesh& mesh, const Triangle& face);
 
 //! Removes every vertex and face of the component that v belongs to.
 void deleteComponent(Mesh& mesh, int v);

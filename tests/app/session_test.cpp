@@ -144,6 +144,7 @@ TEST_CASE("a session of the first candidate without background clicks is written
   s.version = "1.2.3";
   s.volume = {folder / "v.mha", "00ff", {}};
   s.seeds = {{{1, 2, 3}, 4.0}, {{5, 6, 7}, {}}};
+  s.requested.resolution = Resolution::uniform;  // the only one there was
   s.resolved = ResolvedParameters{};
   s.resolved->range = {-kInfinity, 8};
   s.resolved->seeds = {{{1, 2, 3}, 3.5}};

@@ -1,7 +1,6 @@
 target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/plane_section_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/mesh_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/mesh/surface_volume_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/mesh_copy_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/morton_order_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/nesting_test.cpp
