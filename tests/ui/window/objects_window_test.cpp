@@ -233,6 +233,8 @@ void ObjectsWindowTest::aTermOfAFileStandsFirstUntilAnotherIsChosen() {
   label.source.algorithm = SegmentAlgorithm{AlgorithmType::automatic, "Net"};
   document.setObjectLabel(0, label, QStringLiteral("Change object"));
   const auto choose = [&](int index) {
+    window->activateWindow();  // a dialog that closes leaves none active without a window manager
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
     QTest::keyClick(window.get(), Qt::Key_F2);
     auto* dialog = window->findChild<ui::ObjectDialog*>();
     QVERIFY(dialog && QTest::qWaitForWindowExposed(dialog));

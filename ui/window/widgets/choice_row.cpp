@@ -23,6 +23,10 @@ QWidget* choiceRow(const QString& name, const QStringList& texts, const QStringL
     group->addButton(button, i);
     layout->addWidget(button);
   }
+  // Tab comes to the choice that holds, also where it was not made by hand; Qt sees to that by hand only.
+  QObject::connect(group, &QButtonGroup::idToggled, row, [group = group](int id, bool on) {
+    group->button(id)->setFocusPolicy(on ? Qt::StrongFocus : Qt::ClickFocus);
+  });
   return row;
 }
 
