@@ -27,7 +27,7 @@ constexpr double kShortest = 0.55;
 constexpr double kStep =
     0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
 constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
-// Of an object, from a place in it to its boundary: from here on longer edges save a fifth of the time and
+// Of an object, from a place in it to its boundary: from here on longer edges save a sixth of the time and
 // more (docs/adaptive.md).
 constexpr double kWideEdges = 6;
 constexpr double kAgrees = 0.5;  // voxels between a boundary and a surface that agree

@@ -321,6 +321,12 @@ TEST_CASE("an encrypted 3MF file says so, and one packed in a way that 3MF does 
                   "the compression of 3D/3dmodel.model");
 }
 
+TEST_CASE("a 3MF file that unpacks to a hundred times its size and more is refused once that takes long") {
+  std::string xml = tetrahedronWith("");
+  xml.insert(xml.find("<resources>"), std::string(std::size_t{70} << 20, ' '));
+  expectModelRefused(xml, K::damagedAt, "the size of 3D/m.model");
+}
+
 TEST_CASE("sizes that no archive of this length can hold are refused before they are unpacked") {
   const std::string whole = archiveOf({{"3D/3dmodel.model", tetrahedronWith("")}});
   const std::size_t central = whole.rfind("PK\1\2");
