@@ -324,7 +324,8 @@ TEST_CASE("an encrypted 3MF file says so, and one packed in a way that 3MF does 
 TEST_CASE("a 3MF file that unpacks to a hundred times its size and more is refused once that takes long") {
   std::string xml = tetrahedronWith("");
   xml.insert(xml.find("<resources>"), std::string(std::size_t{70} << 20, ' '));
-  expectModelRefused(xml, K::damagedAt, "the size of 3D/m.model");
+  expectRefused(archiveOf({{"3D/3dmodel.model", xml, ZIP_CM_DEFLATE}}), K::damagedAt,
+                "the size of 3D/3dmodel.model");
 }
 
 TEST_CASE("sizes that no archive of this length can hold are refused before they are unpacked") {
