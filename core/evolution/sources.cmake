@@ -62,4 +62,5 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_pieces.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_surface.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/walls.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/wide_runs.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/word_flood.cpp)

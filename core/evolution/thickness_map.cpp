@@ -1,6 +1,7 @@
 #include "core/evolution/thickness_map.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handlebody {
 
@@ -22,6 +23,7 @@ ThicknessMap::ThicknessMap(const Grid& grid, const ObjectRegion& region) : grid_
   }
   steps_ = {1, size_[0], static_cast<std::ptrdiff_t>(size_[0]) * size_[1]};
   makeNeighbours();
+  alongRow_ = static_cast<float>(grid_.spacing[0]);
   distance_.assign(idx(size_[0]) * idx(size_[1]) * idx(size_[2]), 0.0f);
   for (const Voxel& v : region.voxels) distance_[at(v)] = kFar;
   const std::vector<std::size_t> beyond = outsideOfVolume();
@@ -75,15 +77,13 @@ bool ThicknessMap::contains(const Voxel& v) const {
   return true;
 }
 
-//! The 13 neighbours that come before a voxel in memory.
+//! The rows before one in memory that hold neighbours of its voxels.
 void ThicknessMap::makeNeighbours() {
-  for (int dz = -1; dz <= 0; ++dz)
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        if (dz == 0 && (dy > 0 || (dy == 0 && dx >= 0))) continue;
-        const Vec3 d = Vec3(dx, dy, dz).cwiseProduct(grid_.spacing);
-        before_.push_back({dx + dy * steps_[1] + dz * steps_[2], static_cast<float>(d.norm())});
-      }
+  const auto length = [&](int dx, int dy, int dz) {
+    return static_cast<float>(Vec3(dx, dy, dz).cwiseProduct(grid_.spacing).norm());
+  };
+  for (const auto& [dy, dz] : {std::pair{-1, 0}, {-1, -1}, {0, -1}, {1, -1}})
+    before_.push_back({dy * steps_[1] + dz * steps_[2], length(0, dy, dz), length(1, dy, dz)});
 }
 
 std::vector<std::size_t> ThicknessMap::outsideOfVolume() const {
@@ -95,19 +95,33 @@ std::vector<std::size_t> ThicknessMap::outsideOfVolume() const {
 
 //! Two passes over all but the outermost layer.
 void ThicknessMap::sweep(std::vector<float>& d) const {
-  const auto relax = [&](int x, int y, int z, int sign) {
-    const std::ptrdiff_t i = x + y * steps_[1] + z * steps_[2];
-    float best = d[i];
-    if (best == 0) return;
-    for (const Neighbour& n : before_) best = std::min(best, d[i + sign * n.offset] + n.length);
-    d[i] = best;
-  };
+  std::vector<float> row(idx(size_[0]));
   for (int z = 1; z < size_[2] - 1; ++z)
-    for (int y = 1; y < size_[1] - 1; ++y)
-      for (int x = 1; x < size_[0] - 1; ++x) relax(x, y, z, 1);
+    for (int y = 1; y < size_[1] - 1; ++y) {
+      float* here = d.data() + y * steps_[1] + z * steps_[2];
+      lookAtRows(here, 1, row);
+      for (int x = 1; x < size_[0] - 1; ++x) here[x] = std::min(row[idx(x)], here[x - 1] + alongRow_);
+    }
   for (int z = size_[2] - 2; z > 0; --z)
-    for (int y = size_[1] - 2; y > 0; --y)
-      for (int x = size_[0] - 2; x > 0; --x) relax(x, y, z, -1);
+    for (int y = size_[1] - 2; y > 0; --y) {
+      float* here = d.data() + y * steps_[1] + z * steps_[2];
+      lookAtRows(here, -1, row);
+      for (int x = size_[0] - 2; x > 0; --x) here[x] = std::min(row[idx(x)], here[x + 1] + alongRow_);
+    }
+}
+
+//! What a row comes to beside the rows before it (`sign` = 1) or after it (-1), without its own neighbours.
+void ThicknessMap::lookAtRows(const float* here, int sign, std::vector<float>& row) const {
+  const std::size_t last = row.size() - 1;
+  std::copy_n(here, row.size(), row.begin());
+  for (const Row& r : before_) {
+    const float* beside = here + sign * r.offset;
+    float* out = row.data();
+    for (std::size_t x = 1; x < last; ++x) {
+      const float aslant = std::min(beside[x - 1], beside[x + 1]) + r.aslant;
+      out[x] = std::min(out[x], std::min(beside[x] + r.across, aslant));
+    }
+  }
 }
 
 }  // namespace handlebody

@@ -34,6 +34,7 @@ class ThicknessMap {
   bool contains(const Voxel& v) const;
   //! 0 outside of the region.
   float distance(std::size_t i) const { return distance_[i]; }
+  const std::vector<float>& distances() const { return distance_; }
   std::size_t count() const { return distance_.size(); }
   const std::array<int, 3>& low() const { return low_; }
   const std::array<int, 3>& size() const { return size_; }
@@ -48,20 +49,22 @@ class ThicknessMap {
   }
 
  private:
-  struct Neighbour {
+  struct Row {
     std::ptrdiff_t offset;
-    float length;  // mm
+    float across, aslant;  // mm: to the voxel beside, and to the one before or after that
   };
 
   void makeNeighbours();
   std::vector<std::size_t> outsideOfVolume() const;
   void sweep(std::vector<float>& d) const;
+  void lookAtRows(const float* here, int sign, std::vector<float>& row) const;
 
   Grid grid_;
   Voxel low_, size_;
   std::array<std::ptrdiff_t, 3> steps_;
   std::vector<float> distance_;
-  std::vector<Neighbour> before_;
+  std::vector<Row> before_;
+  float alongRow_ = 0;  // mm
 };
 
 }  // namespace handlebody
