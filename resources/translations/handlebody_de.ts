@@ -4239,10 +4239,6 @@ Mittel ± SA</translation>
         <translation>Objekte</translation>
     </message>
     <message>
-        <source>What the file holds: names and colours stay apart where it can</source>
-        <translation>Was die Datei enthält: Namen und Farben bleiben getrennt, wo das geht</translation>
-    </message>
-    <message>
         <source>Format</source>
         <translation>Format</translation>
     </message>
@@ -4466,6 +4462,14 @@ Mittel ± SA</translation>
         <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
         <translation>DICOM-Dateien, Bericht und Maße werden ohne Patient, Studie, Daten und Dateinamen geschrieben, und die vorgeschlagenen Namen verraten nicht den des Volumens. Statt die Sitzung zu speichern, wird eine exportiert, die nicht sagt, wo ihr Volumen liegt: Beim Öffnen fragt sie danach.</translation>
     </message>
+    <message>
+        <source>Each object in a file of its own</source>
+        <translation>Jedes Objekt in einer eigenen Datei</translation>
+    </message>
+    <message>
+        <source>What a file holds: names and colours stay apart where it can; to the name of a file of one object its name is added</source>
+        <translation>Was eine Datei enthält: Namen und Farben bleiben getrennt, wo sie es kann; an den Namen der Datei eines Objekts wird dessen Name angehängt</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FileWork</name>
@@ -4604,6 +4608,10 @@ Mittel ± SA</translation>
     <message>
         <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
         <translation>Netze und Labelkarten (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>There already: %1. Replace what is there?</source>
+        <translation>Schon vorhanden: %1. Ersetzen, was da ist?</translation>
     </message>
 </context>
 <context>

@@ -4239,10 +4239,6 @@ cercano (mm)</translation>
         <translation>Objetos</translation>
     </message>
     <message>
-        <source>What the file holds: names and colours stay apart where it can</source>
-        <translation>Lo que contiene el archivo: nombres y colores quedan separados donde es posible</translation>
-    </message>
-    <message>
         <source>Format</source>
         <translation>Formato</translation>
     </message>
@@ -4466,6 +4462,14 @@ cercano (mm)</translation>
         <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
         <translation>Los archivos DICOM, el informe y las medidas se escriben sin paciente, estudio, fechas ni nombres de archivos, y los nombres propuestos no revelan el del volumen. En lugar de guardar la sesión se exporta una que no dice dónde está su volumen: lo pide al abrirla.</translation>
     </message>
+    <message>
+        <source>Each object in a file of its own</source>
+        <translation>Cada objeto en un archivo propio</translation>
+    </message>
+    <message>
+        <source>What a file holds: names and colours stay apart where it can; to the name of a file of one object its name is added</source>
+        <translation>Lo que contiene un archivo: nombres y colores quedan separados donde puede; al nombre del archivo de un solo objeto se le añade el del objeto</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FileWork</name>
@@ -4604,6 +4608,10 @@ cercano (mm)</translation>
     <message>
         <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
         <translation>Mallas y mapas de etiquetas (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>There already: %1. Replace what is there?</source>
+        <translation>Ya existen: %1. ¿Reemplazar lo que hay?</translation>
     </message>
 </context>
 <context>

@@ -4239,10 +4239,6 @@ proche (mm)</translation>
         <translation>Objets</translation>
     </message>
     <message>
-        <source>What the file holds: names and colours stay apart where it can</source>
-        <translation>Ce que contient le fichier : noms et couleurs restent distincts là où c’est possible</translation>
-    </message>
-    <message>
         <source>Format</source>
         <translation>Format</translation>
     </message>
@@ -4466,6 +4462,14 @@ proche (mm)</translation>
         <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
         <translation>Les fichiers DICOM, le rapport et les mesures sont écrits sans patient, étude, dates ni noms de fichiers, et les noms proposés ne révèlent pas celui du volume. Au lieu d’enregistrer la session, on en exporte une qui ne dit pas où se trouve son volume : elle le demande à l’ouverture.</translation>
     </message>
+    <message>
+        <source>Each object in a file of its own</source>
+        <translation>Chaque objet dans son propre fichier</translation>
+    </message>
+    <message>
+        <source>What a file holds: names and colours stay apart where it can; to the name of a file of one object its name is added</source>
+        <translation>Ce que contient un fichier : noms et couleurs restent séparés là où il le permet ; le nom de l&apos;objet est ajouté à celui du fichier d&apos;un seul objet</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FileWork</name>
@@ -4604,6 +4608,10 @@ proche (mm)</translation>
     <message>
         <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
         <translation>Maillages et cartes d’étiquettes (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>There already: %1. Replace what is there?</source>
+        <translation>Déjà présents : %1. Remplacer ce qui s&apos;y trouve ?</translation>
     </message>
 </context>
 <context>

@@ -4239,10 +4239,6 @@ mean ± SD</source>
         <translation>目标</translation>
     </message>
     <message>
-        <source>What the file holds: names and colours stay apart where it can</source>
-        <translation>文件内容：在可行时保留各自的名称和颜色</translation>
-    </message>
-    <message>
         <source>Format</source>
         <translation>格式</translation>
     </message>
@@ -4466,6 +4462,14 @@ mean ± SD</source>
         <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
         <translation>DICOM 文件、报告和测量结果写出时不含患者、检查、日期和文件名，建议的名称也不透露体数据的名称。不保存会话，而是导出一个不说明体数据位置的会话：打开时会询问。</translation>
     </message>
+    <message>
+        <source>Each object in a file of its own</source>
+        <translation>每个对象各存一个文件</translation>
+    </message>
+    <message>
+        <source>What a file holds: names and colours stay apart where it can; to the name of a file of one object its name is added</source>
+        <translation>文件所含内容：格式允许时名称和颜色保持独立；单个对象的文件名后会加上该对象的名称</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FileWork</name>
@@ -4604,6 +4608,10 @@ mean ± SD</source>
     <message>
         <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files (*)</source>
         <translation>网格和标签图 (*.stl *.vtp *.ply *.obj *.3mf *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>There already: %1. Replace what is there?</source>
+        <translation>已存在：%1。要替换吗？</translation>
     </message>
 </context>
 <context>

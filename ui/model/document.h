@@ -347,6 +347,11 @@ class Document : public QObject {
   void exportResult(const QString& path, CoordinateSpace space, const DicomContent& content = {});
   //! The same of all objects that have a surface, in one file; not if two of them meet.
   void exportObjects(const QString& path, CoordinateSpace space, const DicomContent& content = {});
+  //! Where exportEachObject() writes them; `extension`: with which the path ends.
+  QStringList objectPaths(const QString& path, const QString& extension, bool anonymous) const;
+  //! The same, a file for each of them: the path and before its extension the name of the object.
+  void exportEachObject(const QString& path, const QString& extension, CoordinateSpace space,
+                        const DicomContent& content = {});
   //! Nothing is left of the file that is being written; nothing if there is none.
   void cancelExport();
   //! Of all objects that have a surface; tells as exportResult(). `anonymous`: without what may name the

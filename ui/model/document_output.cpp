@@ -6,11 +6,13 @@
 #include <QJsonObject>
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/report/anonymous_names.h"
+#include "core/io/report/object_paths.h"
 #include "core/io/report/result.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/voxel_fingerprint.h"
@@ -157,6 +159,22 @@ void Document::exportObjects(const QString& path, CoordinateSpace space, const D
     d_->exportFiles(path, space, content, which);
 }
 
+QStringList Document::objectPaths(const QString& path, const QString& extension, bool anonymous) const {
+  QStringList paths;
+  for (const std::string& p :
+       handlebody::objectPaths(fileName(path), fileName(extension), d_->namesInFiles(anonymous)))
+    paths << QFile::decodeName(QByteArray::fromStdString(p));
+  return paths;
+}
+
+void Document::exportEachObject(const QString& path, const QString& extension, CoordinateSpace space,
+                                const DicomContent& content) {
+  if (objectPaths(path, extension, content.anonymous).isEmpty())
+    Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
+  else
+    d_->exportEach(path, extension, space, content);
+}
+
 QString Document::exportFault(const QString& extension) const {
   if (!hasVolume()) return {};
   return sentenceOf([&] {
@@ -249,9 +267,38 @@ void Document::Private::write(const QString& path, std::function<QString()> job)
 
 void Document::Private::exportFiles(const QString& path, CoordinateSpace coordinates,
                                     const DicomContent& content, const std::vector<int>& which) {
+  exportAs(path, coordinates, content, which, [path](const auto& made, const ExportContext& context) {
+    writeResults(made, context, {fileName(path)});
+  });
+}
+
+void Document::Private::exportEach(const QString& path, const QString& extension, CoordinateSpace coordinates,
+                                   const DicomContent& content) {
+  std::vector<int> all(objects.size());
+  std::iota(all.begin(), all.end(), 0);
+  const QString told = path.chopped(extension.size()) + QStringLiteral("_*") + extension;
+  exportAs(
+      told, coordinates, content, all, [path, extension](const auto& made, const ExportContext& context) {
+        std::vector<std::string> names;
+        for (const ExportedObject& object : made) names.push_back(object.label.name);
+        writeEachResult(made, context, handlebody::objectPaths(fileName(path), fileName(extension), names));
+      });
+}
+
+std::vector<std::string> Document::Private::namesInFiles(bool isAnonymous) const {
+  std::vector<std::string> names;
+  for (int i = 0; i < q.objectCount(); ++i)
+    if (q.finishedMesh(i)) names.push_back(nameInFiles(objects.at(i).traits.label.name, isAnonymous));
+  return names;
+}
+
+void Document::Private::exportAs(const QString& told, CoordinateSpace coordinates,
+                                 const DicomContent& content, const std::vector<int>& which,
+                                 WriteObjects writeThem) {
   output.space = coordinates;
-  write(path, [this, path, betters = output.polishes, toWrite = writtenObjects(which, content.anonymous),
-               context = ExportContext{work->volume.grid, coordinates, work->info.dicom, content}] {
+  write(told, [this, betters = output.polishes, toWrite = writtenObjects(which, content.anonymous),
+               context = ExportContext{work->volume.grid, coordinates, work->info.dicom, content},
+               writeThem = std::move(writeThem)] {
     const auto meshes = writtenMeshes(toWrite, context.grid, betters, polishing());
     requireApart(toWrite, meshes);
     std::vector<ExportedObject> made;
@@ -261,7 +308,7 @@ void Document::Private::exportFiles(const QString& path, CoordinateSpace coordin
       made.back().label.name = toWrite[i].nameInFiles;
     }
     giveUpIfCancelled();
-    writeResults(made, context, {fileName(path)});
+    writeThem(made, context);
     return polishTexts(toWrite, meshes);
   });
 }

@@ -118,6 +118,8 @@ class Document::Private : public ObjectHost {
   std::vector<Session> sessions() const;
   //! What an object is called in files: one that there was, too.
   std::string nameInFiles(const std::string& name, bool isAnonymous) const;
+  //! Of those that have a surface, in order.
+  std::vector<std::string> namesInFiles(bool isAnonymous) const;
   std::vector<PendingReport> pendingReports(bool isAnonymous) const;
   //! `window`: what that keeps.
   QByteArray viewWithObjects(const QByteArray& window) const;
@@ -128,6 +130,12 @@ class Document::Private : public ObjectHost {
   std::function<void(const std::string&)> polishing();
   //! On the files' thread: has `job` done until it is cancelled, and tells how it ended.
   void write(const QString& path, std::function<QString()> job);
+  using WriteObjects = std::function<void(const std::vector<ExportedObject>&, const ExportContext&)>;
+  //! `told`: the path that signals name.
+  void exportAs(const QString& told, CoordinateSpace space, const DicomContent& content,
+                const std::vector<int>& which, WriteObjects writeThem);
+  void exportEach(const QString& path, const QString& extension, CoordinateSpace space,
+                  const DicomContent& content);
   void exportFiles(const QString& path, CoordinateSpace space, const DicomContent& content,
                    const std::vector<int>& which);
   void exportReport(const QString& path, const std::vector<PendingReport>& reports, bool isAnonymous);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
+#include "core/cancellation.h"
 #include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
@@ -208,6 +210,23 @@ void writeResults(const std::vector<ExportedObject>& objects, const ExportContex
   for (const std::string& path : paths)
     if (isTetrahedraPath(path)) writer.prepare(path);  // before any file: another program may fail
   for (const std::string& path : paths) writer.write(path);
+}
+
+void writeEachResult(const std::vector<ExportedObject>& objects, const ExportContext& context,
+                     const std::vector<std::string>& paths) {
+  const Phase phase("writing");
+  std::vector<std::vector<ExportedObject>> alone;
+  for (const ExportedObject& object : objects) alone.push_back({object});
+  std::vector<std::unique_ptr<Writer>> writers;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    writers.push_back(std::make_unique<Writer>(alone[i], context));
+    if (isTetrahedraPath(paths[i])) writers[i]->prepare(paths[i]);
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    giveUpIfCancelled();
+    writers[i]->write(paths[i]);
+    writers[i].reset();  // and its label map
+  }
 }
 
 }  // namespace handlebody

@@ -57,8 +57,12 @@ void ExportPanel::buildResult(const Commands& commands) {
   layout()->addWidget(hint_);
   form_ = panelForm();
   objects_ = new QComboBox(this);
-  objects_->addItems({tr("All objects in one file"), tr("The active object")});
-  describe(objects_, tr("Objects"), tr("What the file holds: names and colours stay apart where it can"));
+  objects_->addItem(tr("All objects in one file"), QVariant::fromValue(Objects::together));
+  objects_->addItem(tr("Each object in a file of its own"), QVariant::fromValue(Objects::each));
+  objects_->addItem(tr("The active object"), QVariant::fromValue(Objects::active));
+  describe(objects_, tr("Objects"),
+           tr("What a file holds: names and colours stay apart where it can; to the name of a file of one "
+              "object its name is added"));
   ignoreWheelWithoutFocus(objects_);
   form_->addRow(tr("Objects"), objects_);
   format_ = new QComboBox(this);
@@ -269,7 +273,9 @@ DicomContent ExportPanel::content() const {
           isAnonymous()};
 }
 
-bool ExportPanel::takesAll() const { return document_.objectCount() > 1 && objects_->currentIndex() == 0; }
+ExportPanel::Objects ExportPanel::which() const {
+  return document_.objectCount() > 1 ? objects_->currentData().value<Objects>() : Objects::active;
+}
 
 std::optional<Cell> ExportPanel::pictureOf() const {
   const int cell = picture_->currentData().toInt();
@@ -312,7 +318,7 @@ void ExportPanel::showWhatIsWritten() {
   form_->setRowVisible(creator_, isDicomSegmentationPath(example));
   showFault();
   form_->setRowVisible(objects_, document_.objectCount() > 1);
-  if (takesAll()) return showAllObjects();
+  if (which() != Objects::active) return showAllObjects();
   const auto snapshot = document_.snapshot();
   hint_->setVisible(!snapshot);
   numbers_->setVisible(snapshot != nullptr);

@@ -30,8 +30,9 @@ class ExportPanel : public QWidget {
   //! ".stl" …
   QString extension() const;
   CoordinateSpace space() const;
-  //! All objects in one file; else the active one.
-  bool takesAll() const;
+  //! What is written where there are several objects; with one it is the active one.
+  enum class Objects { together, each, active };
+  Objects which() const;
   //! Nothing that names the patient is to stand in what is written.
   bool isAnonymous() const;
   //! What the user says for DICOM files, whether the format is one or not.

@@ -352,10 +352,27 @@ void FileWork::exportResult() {
   const QString path = askForName(tr("Export the result"), suggestedBase() + QStringLiteral("_surface"),
                                   QStringLiteral("*%1").arg(extension), extension);
   if (path.isEmpty()) return;
-  if (exports_.takesAll())
-    document_.exportObjects(path, exports_.space(), exports_.content());
-  else
-    document_.exportResult(path, exports_.space(), exports_.content());
+  switch (exports_.which()) {
+    case ExportPanel::Objects::together:
+      return document_.exportObjects(path, exports_.space(), exports_.content());
+    case ExportPanel::Objects::each:
+      return exportEachObject(path, extension);
+    case ExportPanel::Objects::active:
+      return document_.exportResult(path, exports_.space(), exports_.content());
+  }
+}
+
+//! The dialog has asked whether to replace a file of the name that was typed, which is none of these.
+void FileWork::exportEachObject(const QString& path, const QString& extension) {
+  QStringList there;
+  for (const QString& file : document_.objectPaths(path, extension, exports_.isAnonymous()))
+    if (QFileInfo::exists(file)) there << QFileInfo(file).fileName();
+  const bool mayGoOn =
+      there.isEmpty() ||
+      QMessageBox::question(window_, tr("Export the result"),
+                            tr("There already: %1. Replace what is there?").arg(there.join(tr(", ")))) ==
+          QMessageBox::Yes;
+  if (mayGoOn) document_.exportEachObject(path, extension, exports_.space(), exports_.content());
 }
 
 void FileWork::exportFrames(bool asLabels) {

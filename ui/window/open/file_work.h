@@ -71,6 +71,7 @@ class FileWork : public QObject {
   void whenSaved(std::function<void()> next);
   void afterSaved();
   void recover(const QString& journal);
+  void exportEachObject(const QString& path, const QString& extension);
   QString askForName(const QString& title, const QString& suggestion, const QString& filter,
                      const QString& extension);
   //! `mayTell`: it may tell the volume's name, if the step Export does not say otherwise.
