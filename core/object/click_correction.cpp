@@ -135,10 +135,8 @@ class Correction {
     corrected_.largest = std::max(corrected_.largest, static_cast<double>(from().count()));
     const std::vector<CellClick> inside = clicksOf(corrected_.done, true);
     const std::vector<RankedRegion> ranked = source_.rank(inside, clicksOf(corrected_.done, false));
-    Offers offers(
-        work_, from(), {click_.isInside, depth_, noise_}, policy_,
-        [this](Region r) { return fitted(std::move(r)); },
-        [this](const Region& r) { return costOf(volumeOf(r)); });
+    Offers offers(work_, from(), {click_.isInside, depth_, noise_}, policy_,
+                  [this](Region r) { return fitted(std::move(r)); });
     const double made = bestScore(ranked) - local_;
     if (click_.isInside) offerRelabelled(offers, made);
     offerCandidates(offers, ranked);
@@ -210,15 +208,6 @@ class Correction {
     offers.add([this, r] { return relabelled(work_, from(), r, policy_); }, score, true);
   }
 
-  //! Of a volume (mm³).
-  double costOf(double volume) const {
-    if (!click_.isInside) return 0;
-    return costOfVolume(volume / volumeOf(from()), depth_ / radius_, policy_);
-  }
-  double volumeOf(const Region& r) const {
-    return static_cast<double>(r.count()) * work_.cells().grid.voxelVolume();
-  }
-
   //! Other candidates that agree with all clicks so far, whole or only near this one.
   void offerCandidates(Offers& offers, const std::vector<RankedRegion>& ranked) const {
     const std::vector<GivenClick>& done = corrected_.done;
@@ -227,13 +216,10 @@ class Correction {
       return std::all_of(done.begin(), done.end(),
                          [&](const GivenClick& c) { return r.holds(c.click.place) == c.isInside; });
     });
-    for (RankedRegion& r : agreeing) r.score -= costOf(r.volume);
-    std::stable_sort(agreeing.begin(), agreeing.end(),
-                     [](const RankedRegion& a, const RankedRegion& b) { return a.score > b.score; });
     const std::vector<OfferedRegion> offered = offeredRegions(likelyRegions(agreeing, policy_), policy_);
     const std::vector<std::shared_ptr<const Region>> regions = source_.onImage(offered);
     for (std::size_t i = 0; i < offered.size(); ++i) {
-      const double score = offered[i].region.score + costOf(offered[i].region.volume);  // of its own cells
+      const double score = offered[i].region.score;
       const std::shared_ptr<const Region>& whole = regions[i];
       offers.add([whole] { return *whole; }, score - renewed_, false);
       offers.add(

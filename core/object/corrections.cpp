@@ -259,12 +259,4 @@ double costOfChange(const WorkImage& work, const Region& from, const Region& to,
          policy.against * excess(wanted.isInside ? removed : added, policy.againstDeep * wanted.depth);
 }
 
-double costOfVolume(double growth, double depth, const ObjectPolicy& policy) {
-  if (depth > policy.volumeFar) return 0;
-  const double expected = policy.volumeAdded * std::log(1 + depth);
-  const double deviation = policy.volumeSpread + policy.volumePart * expected;
-  const double off = std::min(policy.volumeMost, std::abs(std::log(growth) - expected) / deviation);
-  return policy.volume * off * off;
-}
-
 }  // namespace handlebody

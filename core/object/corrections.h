@@ -45,9 +45,4 @@ struct WantedChange {
 double costOfChange(const WorkImage& work, const Region& from, const Region& to, const WantedChange& wanted,
                     const ObjectPolicy& policy);
 
-//! What speaks against what a region grows to (score, at least 0) after a click inside: how deep that lies
-//! behind the surface, in depths of the region's deepest place, tells about how much is missing. `growth`:
-//! its new volume over that before.
-double costOfVolume(double growth, double depth, const ObjectPolicy& policy);
-
 }  // namespace handlebody

@@ -36,7 +36,7 @@ std::optional<Offer> Offers::offerOf(const Task& task) const {
   giveUpIfCancelled();
   std::optional<Region> region = fit_(task.region());
   if (!region) return {};
-  const double worth = task.score - costOfChange(work_, from_, *region, wanted_, policy_) - cost_(*region);
+  const double worth = task.score - costOfChange(work_, from_, *region, wanted_, policy_);
   return Offer{std::move(*region), worth, task.isLocal};
 }
 

@@ -21,17 +21,10 @@ class Offers {
  public:
   //! Makes of what is tried what can be offered; none if the click is still on the wrong side.
   using Fit = std::function<std::optional<Region>(Region)>;
-  //! What speaks against a region besides what changes (score).
-  using Cost = std::function<double(const Region&)>;
   //! All must outlive this.
   Offers(const WorkImage& work, const Region& from, const WantedChange& wanted, const ObjectPolicy& policy,
-         Fit fit, Cost cost)
-      : work_(work),
-        from_(from),
-        wanted_(wanted),
-        policy_(policy),
-        fit_(std::move(fit)),
-        cost_(std::move(cost)) {}
+         Fit fit)
+      : work_(work), from_(from), wanted_(wanted), policy_(policy), fit_(std::move(fit)) {}
 
   //! `region` is called once, on any thread; `score`: what speaks for it besides the change itself.
   void add(std::function<Region()> region, double score, bool isLocal) {
@@ -57,7 +50,6 @@ class Offers {
   WantedChange wanted_;
   const ObjectPolicy& policy_;
   Fit fit_;
-  Cost cost_;
   std::vector<Task> tasks_;
   std::vector<Offer> best_;  // the best first
 };

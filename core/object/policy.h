@@ -134,14 +134,9 @@ struct ObjectPolicy {
   double coreCut = 0.6;       //!< and a change near the click this besides
   double growth = 0.6;        //!< of its largest volume so far: what a click inside, but the first, may add,
   double growthApart = 2;     //!< and in another part so many times that, or a ball as deep as the click
-  double volume = 0.15;  //!< cost of the square of how many deviations a volume is off what a click tells:
-  double volumeAdded = 1.6;  //!< one inside makes it this power of 1 + its depth in deepest places larger,
-  double volumeSpread = 0.2, volumePart = 0.5;  //!< the log deviates by so much and by this part of it,
-  double volumeMost = 3;                        //!< and more deviations count as so many;
-  double volumeFar = 1.8;    //!< deepest places: further away may lie the rest of a vessel, whatever it adds
-  double left = 0.1;         //!< of the region as it is: what a click outside, but the first, leaves
-  double relabelSure = 2.5;  //!< log of the odds that intensities may give at most
-  std::size_t cavity = 14;   //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
+  double left = 0.1;          //!< of the region as it is: what a click outside, but the first, leaves
+  double relabelSure = 2.5;   //!< log of the odds that intensities may give at most
+  std::size_t cavity = 14;    //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
 };
 
 }  // namespace handlebody

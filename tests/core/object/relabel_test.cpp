@@ -158,21 +158,3 @@ TEST_CASE(
   CHECK(withEdges(10, 12) == 0);   // onto the edge: it wins nothing
   CHECK(withEdges(12, 15) > 0.4);  // off it
 }
-
-TEST_CASE("a volume that is off what the depth of a click tells costs more the further it is off") {
-  const ObjectPolicy policy;
-  for (const double depth : {0.6, 1.0, 1.7}) {
-    CAPTURE(depth);
-    const double expected = std::pow(1 + depth, policy.volumeAdded);
-    const auto cost = [&](double times) { return costOfVolume(times * expected, depth, policy); };
-    CHECK(cost(1) == Approx(0).margin(1e-12));
-    CHECK(cost(2) == Approx(cost(0.5)));
-    CHECK(cost(2) > cost(1.5));
-    CHECK(cost(1e9) == Approx(9 * policy.volume));  // it may be so all the same
-    CHECK(costOfVolume(4, depth, policy) > 0);
-  }
-  // Where the click is so deep that much is missing, it says less exactly how much.
-  CHECK(costOfVolume(2 * std::pow(1.6, policy.volumeAdded), 0.6, policy) >
-        costOfVolume(2 * std::pow(2.6, policy.volumeAdded), 1.6, policy));
-  CHECK(costOfVolume(50, 1.01 * policy.volumeFar, policy) == 0);
-}
