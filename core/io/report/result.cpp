@@ -222,8 +222,9 @@ void writeEachResult(const std::vector<ExportedObject>& objects, const ExportCon
     writers.push_back(std::make_unique<Writer>(alone[i], context));
     if (isTetrahedraPath(paths[i])) writers[i]->prepare(paths[i]);
   }
+  giveUpIfCancelled();
+  const CancelScope whole(nullptr);  // once there is a file, all of them are written
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    giveUpIfCancelled();
     writers[i]->write(paths[i]);
     writers[i].reset();  // and its label map
   }

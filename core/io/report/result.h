@@ -48,7 +48,8 @@ void checkResult(const std::string& path, const ExportContext& context);
 //! OutputError; UsageError for an unknown ending; Cancelled (cancellation.h) while another program works.
 void writeResults(const std::vector<ExportedObject>& objects, const ExportContext& context,
                   const std::vector<std::string>& paths);
-//! Writes objects[i] alone to paths[i]; else the same. Precondition: as many paths as objects.
+//! Writes objects[i] alone to paths[i]; else the same. Cancelled before the first file, or not at all.
+//! Precondition: as many paths as objects.
 void writeEachResult(const std::vector<ExportedObject>& objects, const ExportContext& context,
                      const std::vector<std::string>& paths);
 

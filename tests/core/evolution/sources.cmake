@@ -23,7 +23,6 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/painted_pins_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/painted_walls_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/passages_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/evolution/wide_runs_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/pinned_check_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/pinned_parts_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_growth_test.cpp
@@ -37,4 +36,5 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/wall_disc_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/wall_pieces_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/walls_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/wide_runs_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/word_flood_test.cpp)
