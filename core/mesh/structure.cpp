@@ -84,7 +84,8 @@ void StructureCheck::markCorners(const Mesh& mesh, int f, Counts& counts) {
   for (const int v : mesh.face(f)) isChanged_[v] = 1;
 }
 
-//! Also looks at the faces that lay beside changed ones: they may still hold the opposites of before.
+//! Also looks at the faces that lay beside changed ones: they may still hold the opposites of before. One
+//! that does not has changed itself, and where two hold each other, looking at one of them has been enough.
 std::optional<StructureFault> StructureCheck::examineFaces(const Mesh& before, const Mesh& mesh) {
   for (const int f : changedFaces_) {
     if (hasFace(mesh, f)) {
@@ -93,9 +94,12 @@ std::optional<StructureFault> StructureCheck::examineFaces(const Mesh& before, c
     }
     if (!hasFace(before, f)) continue;
     markCorners(before, f, was_);
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
-      if (hasFace(mesh, Mesh::faceOf(before.opposite(h))))
-        if (auto fault = examineHalfedge(mesh, before.opposite(h))) return fault;
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      const int g = before.opposite(h);
+      if (!hasFace(mesh, Mesh::faceOf(g)) || mesh.opposite(g) != h) continue;
+      if (!hasFace(mesh, f) || mesh.opposite(h) != g)
+        return StructureFault{FindingKind::facesDisagree, mesh.origin(g)};
+    }
   }
   return std::nullopt;
 }
