@@ -4613,6 +4613,10 @@ Mittel ± SA</translation>
         <source>There already: %1. Replace what is there?</source>
         <translation>Schon vorhanden: %1. Ersetzen, was da ist?</translation>
     </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>

@@ -4613,6 +4613,10 @@ cercano (mm)</translation>
         <source>There already: %1. Replace what is there?</source>
         <translation>Ya existen: %1. ¿Reemplazar lo que hay?</translation>
     </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 más</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>

@@ -4613,6 +4613,10 @@ proche (mm)</translation>
         <source>There already: %1. Replace what is there?</source>
         <translation>Déjà présents : %1. Remplacer ce qui s&apos;y trouve ?</translation>
     </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 de plus</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>

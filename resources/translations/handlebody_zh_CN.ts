@@ -4613,6 +4613,10 @@ mean ± SD</source>
         <source>There already: %1. Replace what is there?</source>
         <translation>已存在：%1。要替换吗？</translation>
     </message>
+    <message>
+        <source>%1 more</source>
+        <translation>另外 %1 个</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>

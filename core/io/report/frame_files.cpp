@@ -16,6 +16,13 @@ bool hasCollection(const std::string& path) {
   return ending == ".vtp";
 }
 
+std::vector<std::string> frameMeshPaths(const std::string& path, const std::vector<int>& frames) {
+  std::vector<std::string> paths;
+  for (const int frame : frames) paths.push_back(numberedPath(path, frame));
+  if (hasCollection(path)) paths.push_back(collectionPath(path));
+  return paths;
+}
+
 void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const std::string& path) {
   FileSet files;
   std::vector<int> written;

@@ -2,6 +2,7 @@
 // The surfaces of all frames to files: numbered meshes, a 4D label map.
 
 #include <string>
+#include <vector>
 
 #include "core/io/meshes/exported_object.h"
 #include "core/io/meshes/mesh_io.h"
@@ -13,9 +14,12 @@ namespace handlebody {
 //! True for .vtp (any case): its files are listed for ParaView.
 bool hasCollection(const std::string& path);
 
-//! One file for each frame that has a surface (numberedPath); of .vtp also the list of them for ParaView
-//! (collectionPath). None of them gets its name before all are written. Throws as writeMesh and
-//! writeCollection, and Cancelled (cancellation.h).
+//! The files of meshes of these frames: numberedPath of each; of .vtp also the list of them for ParaView
+//! (collectionPath).
+std::vector<std::string> frameMeshPaths(const std::string& path, const std::vector<int>& frames);
+
+//! frameMeshPaths of the frames that have a surface. None of them gets its name before all are written.
+//! Throws as writeMesh and writeCollection, and Cancelled (cancellation.h).
 void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const std::string& path);
 
 //! A 4D label map of the frames of the range on `grid`; frames without a surface are empty. Precondition:

@@ -2,11 +2,17 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QTimer>
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "tests/ui/window/two_balls.h"
 #include "ui/window/export/export_panel.h"
+#include "ui/window/open/file_work.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -24,6 +30,43 @@ std::vector<int> valuesOf(const QString& path) {
   return values;
 }
 
+//! What a user does while `work` asks: a name that is typed for each dialog of files (empty: cancelled), yes
+//! or no for each question, whose texts it gives.
+struct Asked {
+  QStringList names;
+  std::vector<QMessageBox::StandardButton> answers;
+};
+QStringList questionsOf(const std::function<void()>& work, Asked asked) {
+  QStringList questions;
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, [&] {
+    QWidget* open = QApplication::activeModalWidget();
+    if (auto* box = qobject_cast<QMessageBox*>(open)) {
+      questions << box->text();
+      const auto answer = asked.answers.empty() ? QMessageBox::No : asked.answers.front();
+      if (!asked.answers.empty()) asked.answers.erase(asked.answers.begin());
+      box->button(answer)->click();
+    } else if (auto* dialog = qobject_cast<QDialog*>(open)) {
+      const QString name = asked.names.isEmpty() ? QString() : asked.names.takeFirst();
+      if (auto* edit = dialog->findChild<QLineEdit*>("fileNameEdit")) edit->setText(name);
+      name.isEmpty() ? dialog->reject() : dialog->accept();
+    }
+  });
+  timer.start(200);
+  work();
+  return questions;
+}
+
+void writeWord(const QString& path) {
+  QFile file(path);
+  if (file.open(QIODevice::WriteOnly)) file.write("mine");
+}
+
+bool holdsWord(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) && file.readAll() == "mine";
+}
+
 }  // namespace
 
 class ExportedObjectsWindowTest : public QObject {
@@ -32,6 +75,7 @@ class ExportedObjectsWindowTest : public QObject {
  private Q_SLOTS:
   void allAreExportedTogether();
   void eachIsExportedAlone();
+  void whatIsThereIsAskedAbout();
   void whatIsBetteredIsChosenAndTold();
 };
 
@@ -79,6 +123,40 @@ void ExportedObjectsWindowTest::eachIsExportedAlone() {
                          second = valuesOf(paths[1]);
   QVERIFY(std::count(first.begin(), first.end(), 1) > 0 && std::count(second.begin(), second.end(), 2) > 0);
   for (std::size_t i = 0; i < all.size(); ++i) QCOMPARE(all[i], first[i] + second[i]);
+}
+
+//! The ending that a typed name lacks is added: a file of the whole name is asked about all the same. One of
+//! the typed name that is not itself written is not.
+void ExportedObjectsWindowTest::whatIsThereIsAskedAbout() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  QVERIFY(growTwo(*window));
+  window->showStep(Command::stepExport);
+  called<QComboBox>(*window->findChild<ui::ExportPanel*>(), "Objects")
+      ->setCurrentText("Each object in a file of its own");
+  ui::Document& document = window->document();
+  const QString base = folder.filePath("mine"), ending = window->findChild<ui::ExportPanel*>()->extension();
+  const QString first = document.objectPaths(base + ending, ending, false).front();
+  writeWord(first);
+  writeWord(base + ending);
+  QSignalSpy exported(&document, &ui::Document::exported);
+  const auto work = [&] { window->files().exportResult(); };
+  QStringList questions = questionsOf(work, {{base, QString()}, {QMessageBox::No}});
+  QCOMPARE(questions.size(), 1);
+  QVERIFY2(questions[0].contains(QFileInfo(first).fileName()), qPrintable(questions[0]));
+  QVERIFY(!questions[0].contains(QFileInfo(base + ending).fileName()));
+  QVERIFY(exported.isEmpty() && holdsWord(first));
+  questions = questionsOf(work, {{base}, {QMessageBox::Yes}});
+  QCOMPARE(questions.size(), 1);
+  QVERIFY(!exported.isEmpty() || exported.wait(kPatience));
+  QVERIFY(!holdsWord(first) && holdsWord(base + ending));
+
+  writeWord(folder.filePath("report.json"));
+  const auto report = [&] { window->files().exportReport(); };
+  questions = questionsOf(report, {{folder.filePath("report"), QString()}, {QMessageBox::No}});
+  QCOMPARE(questions.size(), 1);
+  QVERIFY(questions[0].contains("report.json") && holdsWord(folder.filePath("report.json")));
 }
 
 void ExportedObjectsWindowTest::whatIsBetteredIsChosenAndTold() {

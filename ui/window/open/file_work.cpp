@@ -20,9 +20,11 @@
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/label_map.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/report/frame_files.h"
 #include "ui/model/document.h"
 #include "ui/model/error_sentence.h"
 #include "ui/model/finding_text.h"
+#include "ui/model/time_series.h"
 #include "ui/window/export/export_panel.h"
 #include "ui/window/open/open_objects_dialog.h"
 #include "ui/window/views/view_grid.h"
@@ -322,8 +324,10 @@ void FileWork::save() {
 }
 
 void FileWork::saveAs() {
-  const QString path = askForName(tr("Save the session"), suggestedBase() + QStringLiteral("_session"),
-                                  tr("Sessions (*.json)"), QStringLiteral(".json"));
+  const QString path = askForName({tr("Save the session"),
+                                   suggestedBase() + QStringLiteral("_session"),
+                                   {QStringLiteral(".json")},
+                                   tr("Sessions (*.json)")});
   if (path.isEmpty()) {
     next_ = nullptr;
     return;
@@ -338,78 +342,104 @@ QString FileWork::suggestedBase(bool mayTell) const {
   return QDir(folder).filePath(isNamed ? baseName(document_.path()) : QStringLiteral("handlebody"));
 }
 
-QString FileWork::askForName(const QString& title, const QString& suggestion, const QString& filter,
-                             const QString& extension) {
-  QString path = QFileDialog::getSaveFileName(window_, title, suggestion + extension, filter);
-  if (!path.isEmpty() && !path.endsWith(extension, Qt::CaseInsensitive)) path += extension;
-  return path;
+//! The dialog would ask about the name as it is typed, without its ending, and of one file only.
+QString FileWork::askForName(const NameQuestion& question) {
+  QStringList filters;
+  for (const QString& ending : question.endings) filters << QStringLiteral("*%1 (*%1)").arg(ending);
+  const QString filter = question.filter.isEmpty() ? filters.join(QStringLiteral(";;")) : question.filter;
+  QString path = question.suggestion + question.endings.front(), chosen = filters.front();
+  for (;;) {
+    path = QFileDialog::getSaveFileName(window_, question.title, path, filter, &chosen,
+                                        QFileDialog::DontConfirmOverwrite);
+    if (path.isEmpty()) return path;
+    const auto isEnding = [&](const QString& e) { return path.endsWith(e, Qt::CaseInsensitive); };
+    if (std::none_of(question.endings.begin(), question.endings.end(), isEnding))
+      path += question.endings[std::max<qsizetype>(0, filters.indexOf(chosen))];
+    if (mayReplace(question.title, question.files ? question.files(path) : QStringList{path})) return path;
+  }
+}
+
+bool FileWork::mayReplace(const QString& title, const QStringList& files) {
+  constexpr qsizetype kNamed = 8;  // a message of a thousand frames would not fit
+  QStringList there;
+  for (const QString& file : files)
+    if (QFileInfo::exists(file)) there << QFileInfo(file).fileName();
+  if (there.isEmpty()) return true;
+  if (const qsizetype more = there.size() - kNamed; more > 0)
+    there = there.mid(0, kNamed) << tr("%1 more").arg(more);
+  return QMessageBox::question(window_, title,
+                               tr("There already: %1. Replace what is there?").arg(there.join(tr(", ")))) ==
+         QMessageBox::Yes;
+}
+
+//! By the step Export, if `path` is chosen.
+QStringList FileWork::exportedFiles(const QString& path) const {
+  if (exports_.which() != ExportPanel::Objects::each) return {path};
+  return document_.objectPaths(path, exports_.extension(), exports_.isAnonymous());
 }
 
 void FileWork::exportResult() {
-  if (const QString fault = document_.exportFault(exports_.extension()); !fault.isEmpty())
-    return messages_.show(MessageBar::Kind::error, fault);
   const QString extension = exports_.extension();
-  const QString path = askForName(tr("Export the result"), suggestedBase() + QStringLiteral("_surface"),
-                                  QStringLiteral("*%1").arg(extension), extension);
+  if (const QString fault = document_.exportFault(extension); !fault.isEmpty())
+    return messages_.show(MessageBar::Kind::error, fault);
+  const QString path = askForName({tr("Export the result"),
+                                   suggestedBase() + QStringLiteral("_surface"),
+                                   {extension},
+                                   QStringLiteral("*%1").arg(extension),
+                                   [this](const QString& chosen) { return exportedFiles(chosen); }});
   if (path.isEmpty()) return;
   switch (exports_.which()) {
     case ExportPanel::Objects::together:
       return document_.exportObjects(path, exports_.space(), exports_.content());
     case ExportPanel::Objects::each:
-      return exportEachObject(path, extension);
+      return document_.exportEachObject(path, extension, exports_.space(), exports_.content());
     case ExportPanel::Objects::active:
       return document_.exportResult(path, exports_.space(), exports_.content());
   }
-}
-
-//! The dialog has asked whether to replace a file of the name that was typed, which is none of these.
-void FileWork::exportEachObject(const QString& path, const QString& extension) {
-  QStringList there;
-  for (const QString& file : document_.objectPaths(path, extension, exports_.isAnonymous()))
-    if (QFileInfo::exists(file)) there << QFileInfo(file).fileName();
-  const bool mayGoOn =
-      there.isEmpty() ||
-      QMessageBox::question(window_, tr("Export the result"),
-                            tr("There already: %1. Replace what is there?").arg(there.join(tr(", ")))) ==
-          QMessageBox::Yes;
-  if (mayGoOn) document_.exportEachObject(path, extension, exports_.space(), exports_.content());
 }
 
 void FileWork::exportFrames(bool asLabels) {
   const QStringList endings = asLabels ? QStringList{QStringLiteral(".nii.gz"), QStringLiteral(".nrrd")}
                                        : QStringList{QStringLiteral(".vtp"), QStringLiteral(".stl"),
                                                      QStringLiteral(".ply"), QStringLiteral(".obj")};
-  QStringList filters;
-  for (const QString& ending : endings) filters << QStringLiteral("*%1 (*%1)").arg(ending);
-  QString chosen = filters.front();
-  const QString base = suggestedBase() + (asLabels ? QStringLiteral("_labels") : QStringLiteral("_frame"));
-  QString path = QFileDialog::getSaveFileName(
-      window_, asLabels ? tr("Export a 4D label map") : tr("Export the meshes of all frames"),
-      base + endings.front(), filters.join(QStringLiteral(";;")), &chosen);
-  if (path.isEmpty()) return;
-  const auto isEnding = [&](const QString& ending) { return path.endsWith(ending, Qt::CaseInsensitive); };
-  if (std::none_of(endings.begin(), endings.end(), isEnding))
-    path += endings[std::max<qsizetype>(0, filters.indexOf(chosen))];
-  document_.exportFrames(path, exports_.space());
+  NameQuestion question{asLabels ? tr("Export a 4D label map") : tr("Export the meshes of all frames"),
+                        suggestedBase() + (asLabels ? QStringLiteral("_labels") : QStringLiteral("_frame")),
+                        endings};
+  if (!asLabels) question.files = [this](const QString& chosen) { return frameFiles(chosen); };
+  const QString path = askForName(question);
+  if (!path.isEmpty()) document_.exportFrames(path, exports_.space());
+}
+
+//! The meshes of all frames that there may be, if `path` is chosen.
+QStringList FileWork::frameFiles(const QString& path) const {
+  std::vector<int> frames{document_.time().grownFrame()};
+  for (const auto& [frame, carried] : document_.time().carried()) frames.push_back(frame);
+  QStringList files;
+  for (const std::string& file : frameMeshPaths(QFile::encodeName(path).toStdString(), frames))
+    files << QFile::decodeName(file.c_str());
+  return files;
 }
 
 void FileWork::exportReport() {
-  const QString path = askForName(tr("Export the report"), suggestedBase() + QStringLiteral("_report"),
-                                  QStringLiteral("*.json"), QStringLiteral(".json"));
+  const QString path = askForName({tr("Export the report"),
+                                   suggestedBase() + QStringLiteral("_report"),
+                                   {QStringLiteral(".json")},
+                                   QStringLiteral("*.json")});
   if (!path.isEmpty()) document_.exportReport(path, exports_.isAnonymous());
 }
 
 void FileWork::exportAnonymousSession() {
-  const QString path =
-      askForName(tr("Export an anonymous session"), suggestedBase(false) + QStringLiteral("_session"),
-                 tr("Sessions (*.json)"), QStringLiteral(".json"));
+  const QString path = askForName({tr("Export an anonymous session"),
+                                   suggestedBase(false) + QStringLiteral("_session"),
+                                   {QStringLiteral(".json")},
+                                   tr("Sessions (*.json)")});
   if (!path.isEmpty()) document_.exportAnonymousSession(path);
 }
 
 void FileWork::exportPicture() {
   const QImage picture = views_.picture(exports_.pictureOf());  // before a dialog covers the views
-  const QString path =
-      askForName(tr("Export a picture"), suggestedBase(), QStringLiteral("*.png"), QStringLiteral(".png"));
+  const QString path = askForName(
+      {tr("Export a picture"), suggestedBase(), {QStringLiteral(".png")}, QStringLiteral("*.png")});
   if (path.isEmpty()) return;
   QSaveFile file(path);  // whole or not at all
   QImageWriter writer(&file, "png");
@@ -421,8 +451,8 @@ void FileWork::exportPicture() {
 
 void FileWork::saveText(const QString& title, const QString& what, const QString& extension,
                         const std::string& text) {
-  const QString path = askForName(title, suggestedBase() + QLatin1Char('_') + what,
-                                  QStringLiteral("*%1").arg(extension), extension);
+  const QString path = askForName(
+      {title, suggestedBase() + QLatin1Char('_') + what, {extension}, QStringLiteral("*%1").arg(extension)});
   if (path.isEmpty()) return;
   try {
     writeTextAtomically(QFile::encodeName(path).toStdString(), text);
@@ -434,8 +464,8 @@ void FileWork::saveText(const QString& title, const QString& what, const QString
 
 void FileWork::saveFile(const QString& title, const QString& what, const QString& extension,
                         const FileWriter& write) {
-  const QString path = askForName(title, suggestedBase() + QLatin1Char('_') + what,
-                                  QStringLiteral("*%1").arg(extension), extension);
+  const QString path = askForName(
+      {title, suggestedBase() + QLatin1Char('_') + what, {extension}, QStringLiteral("*%1").arg(extension)});
   if (path.isEmpty()) return;
   inBackground(
       this, [write, name = QFile::encodeName(path).toStdString()] { return whyNot([&] { write(name); }); },

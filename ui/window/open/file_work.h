@@ -71,9 +71,21 @@ class FileWork : public QObject {
   void whenSaved(std::function<void()> next);
   void afterSaved();
   void recover(const QString& journal);
-  void exportEachObject(const QString& path, const QString& extension);
-  QString askForName(const QString& title, const QString& suggestion, const QString& filter,
-                     const QString& extension);
+  //! What is written under a name that was chosen, e.g. a file for each object.
+  using FilesOf = std::function<QStringList(const QString& path)>;
+  //! What a user is asked when a name for a new file is needed.
+  struct NameQuestion {
+    QString title;
+    QString suggestion;     //!< without its ending
+    QStringList endings{};  //!< the file has one of them; the first is suggested
+    QString filter{};       //!< of the dialog; empty: one for each ending
+    FilesOf files{};        //!< none: the file that is named
+  };
+  //! Asks until it is a name of which nothing is lost, or what is lost may be; empty: no longer wanted.
+  QString askForName(const NameQuestion& question);
+  bool mayReplace(const QString& title, const QStringList& files);
+  QStringList exportedFiles(const QString& path) const;
+  QStringList frameFiles(const QString& path) const;
   //! `mayTell`: it may tell the volume's name, if the step Export does not say otherwise.
   QString suggestedBase(bool mayTell = true) const;
   void connectMessages();
