@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/cancellation.h"
 #include "core/indices.h"
@@ -55,6 +56,34 @@ void smoothAlong(const std::vector<float>& in, std::vector<float>& out, int n, s
     }
 }
 
+//! Voxels of each cell along an axis: the last may stand out of the volume.
+std::vector<int> widthsAlong(const CellGrid& cells, std::size_t axis, int size) {
+  std::vector<int> out;
+  for (int i = 0; i < cells.grid.size[axis]; ++i)
+    out.push_back(std::min(cells.factor[axis], size - cells.low[axis] - i * cells.factor[axis]));
+  return out;
+}
+
+//! One voxel after the other, so that the sums do not depend on how the loop is written.
+template <typename T>
+void addRow(const T* from, const std::vector<int>& widths, float* to) {
+  for (const int width : widths) {
+    float sum = *to;
+    for (int i = 0; i < width; ++i) sum += static_cast<float>(from[i]);
+    *to++ = sum;
+    from += width;
+  }
+}
+
+void markPadding(const FieldOfView& view, std::size_t from, const std::vector<int>& widths,
+                 std::uint8_t* to) {
+  for (const int width : widths) {
+    for (int i = 0; i < width; ++i)
+      if (view.isPadding(from++)) *to = 1;
+    ++to;
+  }
+}
+
 }  // namespace
 
 std::array<int, 3> CellGrid::nearest(const Vec3& world) const {
@@ -101,29 +130,30 @@ CellGrid cellsAround(const Grid& volume, const std::vector<Reach>& boxes, std::s
 
 CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfView* view) {
   const std::size_t n = cells.count();
-  std::vector<float> count(n, 0);
   CellImage out{cells, std::vector<float>(n, 0), std::vector<std::uint8_t>(n, 0)};
   const auto& size = volume.grid.size;
+  std::array<std::vector<int>, 3> width;  // voxels of each cell, along each axis
   std::array<int, 3> last;
-  for (std::size_t a = 0; a < 3; ++a)
-    last[a] = std::min(size[a], cells.low[a] + cells.grid.size[a] * cells.factor[a]);
+  for (std::size_t a = 0; a < 3; ++a) {
+    width[a] = widthsAlong(cells, a, size[a]);
+    last[a] = cells.low[a] + std::accumulate(width[a].begin(), width[a].end(), 0);
+  }
   visitVoxels(volume, [&](const auto* v) {
     for (int z = cells.low[2]; z < last[2]; ++z) {
       giveUpIfCancelled();
       for (int y = cells.low[1]; y < last[1]; ++y) {
-        const std::size_t row = (idx(z) * idx(size[1]) + idx(y)) * idx(size[0]);
+        const std::size_t from = (idx(z) * idx(size[1]) + idx(y)) * idx(size[0]) + idx(cells.low[0]);
         const std::size_t to =
             cells.at(0, (y - cells.low[1]) / cells.factor[1], (z - cells.low[2]) / cells.factor[2]);
-        for (int x = cells.low[0]; x < last[0]; ++x) {
-          const std::size_t c = to + idx((x - cells.low[0]) / cells.factor[0]);
-          out.values[c] += static_cast<float>(v[row + idx(x)]);
-          count[c] += 1;
-          if (view && view->isPadding(row + idx(x))) out.padding[c] = 1;
-        }
+        addRow(v + from, width[0], &out.values[to]);
+        if (view) markPadding(*view, from, width[0], &out.padding[to]);
       }
     }
   });
-  for (std::size_t c = 0; c < n; ++c) out.values[c] /= count[c];
+  std::size_t c = 0;
+  for (const int z : width[2])
+    for (const int y : width[1])
+      for (const int x : width[0]) out.values[c++] /= static_cast<float>(x * y * z);
   return out;
 }
 

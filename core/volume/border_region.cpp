@@ -21,6 +21,11 @@ VoxelBits::VoxelBits(const std::array<int, 3>& size, bool inFrame)
     }
 }
 
+VoxelBits& VoxelBits::operator&=(const VoxelBits& other) {
+  for (std::size_t w = 0; w < words_.size(); ++w) words_[w] &= other.words_[w];
+  return *this;
+}
+
 //! Bits of the word (its number in its row) that are columns.
 VoxelBits::Word VoxelBits::valid(std::size_t word) const {
   const int more = columns_ - static_cast<int>(word) * kBits;

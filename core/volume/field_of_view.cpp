@@ -35,22 +35,13 @@ void forEachBorderVoxel(const Size& n, F&& f) {
     }
 }
 
-//! Calls f(index, i, j, k) for every voxel.
-template <typename F>
-void forEachVoxel(const std::array<int, 3>& size, F&& f) {
-  std::size_t v = 0;
-  for (int k = 0; k < size[2]; ++k)
-    for (int j = 0; j < size[1]; ++j)
-      for (int i = 0; i < size[0]; ++i, ++v) f(v, i, j, k);
-}
-
 //! Around the volume all is padding.
 template <typename T>
 VoxelBits voxelsWith(const T* voxels, const std::array<int, 3>& size, T value) {
   VoxelBits bits(size, true);
-  forEachVoxel(size, [&](std::size_t v, int i, int j, int k) {
-    if (voxels[v] == value) bits.set(i, j, k);
-  });
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j, voxels += size[0])
+      bits.setRow(j, k, [&](int i) { return voxels[i] == value; });
   return bits;
 }
 
@@ -80,13 +71,18 @@ std::vector<bool> findPadding(const T* voxels, const Grid& grid, double& padding
   if (static_cast<double>(most) < kMinPadding * static_cast<double>(border)) return {};
 
   paddingValue = static_cast<double>(value);
-  const VoxelBits reached = reachedFromBorder(voxelsWith(voxels, grid.size, value), fineAxes(grid));
+  const VoxelBits same = voxelsWith(voxels, grid.size, value);
+  VoxelBits reached = reachedFromBorder(same, fineAxes(grid));
+  reached &= same;
   std::vector<bool> padding(n.x * n.y * n.z, false);
   bool any = false;
-  forEachVoxel(grid.size, [&](std::size_t v, int i, int j, int k) {
-    if (voxels[v] != value || !reached.test(i, j, k)) return;
-    any = padding[v] = true;
-  });
+  auto row = padding.begin();
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j, row += grid.size[0])
+      reached.forEachRun(j, k, [&](int first, int last) {
+        any = true;
+        std::fill(row + first, row + last, true);
+      });
   if (!any) return {};
   return padding;
 }

@@ -47,6 +47,26 @@ TEST_CASE("too many cells are made coarser along the finest axis first, and keep
   CHECK(makeCells(volume, cells, nullptr).values[cells.at(3, 0, 0)] == 6.5);
 }
 
+TEST_CASE("a cell is the mean of its voxels, also where the last ones of the volume are fewer") {
+  const Volume volume =
+      volumeByIndex(cubicGrid(11), [](int i, int j, int k) { return (7 * i + 13 * j + 29 * k) % 101; });
+  const CellGrid cells = cellsAround(volume.grid, Vec3(6, 6, 6), 4.5, 64);  // voxels 1 to 10, by threes
+  CHECK(cells.factor == std::array{3, 3, 3});
+  CHECK(cells.low == std::array{1, 1, 1});
+  const CellImage image = makeCells(volume, cells, nullptr);
+  for (int z = 0; z < 4; ++z)
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 4; ++x) {
+        double sum = 0;
+        int n = 0;
+        for (int k = 1 + 3 * z; k < std::min(11, 4 + 3 * z); ++k)
+          for (int j = 1 + 3 * y; j < std::min(11, 4 + 3 * y); ++j)
+            for (int i = 1 + 3 * x; i < std::min(11, 4 + 3 * x); ++i)
+              sum += (7 * i + 13 * j + 29 * k) % 101, ++n;
+        CHECK(image.values[cells.at(x, y, z)] == Approx(sum / n));
+      }
+}
+
 TEST_CASE("a box around a point says beyond which sides the volume goes on") {
   const CellGrid cells = cellsAround(cubicGrid(40), Vec3(5, 20, 20), 8, 1'000'000);
   CHECK(cells.goesOn[0] == std::array{false, true});
