@@ -40,20 +40,33 @@ std::vector<float> gaussian(double sigma) {
   return w;
 }
 
-//! Along rows of memory; `block` values lie between neighbours along the axis.
-void smoothAlong(const std::vector<float>& in, std::vector<float>& out, int n, std::size_t block,
-                 const std::vector<float>& w) {
-  for (std::size_t slab = 0; slab < in.size(); slab += block * idx(n))
-    for (int i = 0; i < n; ++i) {
-      const float* centre = &in[slab + idx(i) * block];
-      float* to = &out[slab + idx(i) * block];
-      for (std::size_t j = 0; j < block; ++j) to[j] = w[0] * centre[j];
-      for (std::size_t k = 1; k < w.size(); ++k) {
-        const float* a = &in[slab + idx(std::max(i - static_cast<int>(k), 0)) * block];
-        const float* b = &in[slab + idx(std::min(i + static_cast<int>(k), n - 1)) * block];
-        for (std::size_t j = 0; j < block; ++j) to[j] += w[k] * (a[j] + b[j]);
-      }
-    }
+//! What lies `k` steps either way is added; beyond the ends there is the last one of that side.
+void addBeside(const float* before, const float* after, float weight, float* to, std::size_t n) {
+  for (std::size_t j = 0; j < n; ++j) to[j] += weight * (before[j] + after[j]);
+}
+
+//! Along a row of memory. Each sum is made in the same order as across rows.
+void smoothRow(const float* in, float* to, std::size_t n, const std::vector<float>& w) {
+  for (std::size_t i = 0; i < n; ++i) to[i] = w[0] * in[i];
+  for (std::size_t k = 1; k < w.size(); ++k) {
+    const auto single = [&](std::size_t i) {
+      to[i] += w[k] * (in[i - std::min(i, k)] + in[std::min(i + k, n - 1)]);
+    };
+    const std::size_t first = std::min(k, n), last = std::max(first, n - first);
+    for (std::size_t i = 0; i < first; ++i) single(i);
+    if (last > first) addBeside(in + first - k, in + first + k, w[k], to + first, last - first);
+    for (std::size_t i = last; i < n; ++i) single(i);
+  }
+}
+
+//! Across rows of memory; `block` values lie between neighbours along the axis.
+void smoothAcross(const float* in, float* to, std::size_t n, std::size_t block, const std::vector<float>& w) {
+  for (std::size_t i = 0; i < n; ++i, to += block) {
+    const float* centre = in + i * block;
+    for (std::size_t j = 0; j < block; ++j) to[j] = w[0] * centre[j];
+    for (std::size_t k = 1; k < w.size(); ++k)
+      addBeside(in + (i - std::min(i, k)) * block, in + std::min(i + k, n - 1) * block, w[k], to, block);
+  }
 }
 
 //! Voxels of each cell along an axis: the last may stand out of the volume.
@@ -157,8 +170,34 @@ CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfVi
   return out;
 }
 
+//! The same sum in the same order as `trilinear`, which costs more than twice as much for the values that it
+//! must not look at.
 double interpolated(const Grid& grid, const std::vector<float>& values, const Vec3& index) {
-  return trilinear(values.data(), grid.size, index);
+  std::array<std::size_t, 3> low, step;
+  std::array<double, 3> before, after;  // weights
+  std::size_t stride = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int n = grid.size[a];
+    const double x = std::clamp(index[static_cast<int>(a)], 0.0, n - 1.0);
+    const int cell = std::max(0, std::min(static_cast<int>(x), n - 2));
+    after[a] = x - cell;
+    before[a] = 1 - after[a];
+    low[a] = idx(cell) * stride;
+    step[a] = n > 1 ? stride : 0;
+    stride *= idx(n);
+  }
+  const std::array<double, 4> inPlane{before[0] * before[1], after[0] * before[1], before[0] * after[1],
+                                      after[0] * after[1]};
+  const float* v = &values[low[0] + low[1] + low[2]];
+  double sum = 0;
+  for (const double weight : {before[2], after[2]}) {
+    sum += inPlane[0] * weight * static_cast<double>(v[0]);
+    sum += inPlane[1] * weight * static_cast<double>(v[step[0]]);
+    sum += inPlane[2] * weight * static_cast<double>(v[step[1]]);
+    sum += inPlane[3] * weight * static_cast<double>(v[step[0] + step[1]]);
+    v += step[2];
+  }
+  return sum;
 }
 
 std::vector<float> smoothed(const CellGrid& cells, std::vector<float> values, double sigma) {
@@ -168,7 +207,12 @@ std::vector<float> smoothed(const CellGrid& cells, std::vector<float> values, do
     const double s = sigma / cells.grid.spacing[a];
     const int n = cells.grid.size[a];
     if (s > 0.15) {  // less is nothing but the centre
-      smoothAlong(values, other, n, block, gaussian(s));
+      const std::vector<float> w = gaussian(s);
+      for (std::size_t from = 0; from < values.size(); from += block * idx(n))
+        if (block == 1)
+          smoothRow(&values[from], &other[from], idx(n), w);
+        else
+          smoothAcross(&values[from], &other[from], idx(n), block, w);
       values.swap(other);
     }
     block *= idx(n);

@@ -58,7 +58,8 @@ struct CellImage {
 //! `view` may be null.
 CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfView* view);
 
-//! Trilinear between the centres of a grid, at a continuous index; beyond the outermost as there.
+//! Trilinear between the centres of a grid, at a continuous index; beyond the outermost as there. All values
+//! are finite.
 double interpolated(const Grid& grid, const std::vector<float>& values, const Vec3& index);
 
 //! Gaussian, standard deviation in mm; cells beyond the border count as those of the border.

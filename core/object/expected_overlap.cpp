@@ -27,40 +27,81 @@ std::vector<int> cellsAlong(std::size_t axis, const CellGrid& to, const CellGrid
   return out;
 }
 
-//! A region's cells, 1 each, in the grid of another search.
-std::vector<std::uint8_t> maskOn(const CellGrid& grid, const RankedRegion& r) {
-  const CellGrid& own = r.search->image.cells;
-  std::array<std::vector<int>, 3> cell;
-  for (std::size_t a = 0; a < 3; ++a) cell[a] = cellsAlong(a, own, grid);
-  std::vector<std::uint8_t> out(grid.count(), 0);
-  const auto rung = static_cast<std::uint8_t>(r.rung);
-  const std::size_t row = cell[0].size();
-  const auto isThere = [](int c) { return c != kNone; };
-  const auto first =
-      static_cast<std::size_t>(std::find_if(cell[0].begin(), cell[0].end(), isThere) - cell[0].begin());
-  std::size_t end = row;
-  while (end > first && cell[0][end - 1] == kNone) --end;
-  const std::size_t plane = row * cell[1].size();
-  std::uint8_t* to = out.data();
-  for (std::size_t z = 0; z < cell[2].size(); ++z)
-    for (std::size_t y = 0; y < cell[1].size(); ++y, to += row) {
-      if (cell[1][y] == kNone || cell[2][z] == kNone) continue;
-      if (z > 0 && cell[2][z] == cell[2][z - 1]) {  // finer cells in coarser ones: the same again
-        std::memcpy(to, to - plane, row);
-      } else if (y > 0 && cell[1][y] == cell[1][y - 1]) {
-        std::memcpy(to, to - row, row);
-      } else {
-        const std::uint8_t* level = &r.map->level[own.at(0, cell[1][y], cell[2][z])];
-        for (std::size_t x = first; x < end; ++x) to[x] = level[cell[0][x]] <= rung;
-      }
-    }
+using Mask = std::vector<std::uint8_t>;
+
+//! 1 for the cells of a region among `n` that follow one another.
+void markRow(const std::uint8_t* level, std::uint8_t rung, std::size_t n, std::uint8_t* to) {
+  for (std::size_t i = 0; i < n; ++i) to[i] = level[i] <= rung;
+}
+
+//! 1 for each row of the region's own grid in which it has cells.
+Mask rowsOf(const RankedRegion& r) {
+  const auto row = static_cast<std::size_t>(r.search->image.cells.grid.size[0]);
+  Mask out;
+  for (auto level = r.map->level.begin(); level != r.map->level.end();
+       level += static_cast<std::ptrdiff_t>(row)) {
+    std::uint8_t least = kNever;
+    for (std::size_t i = 0; i < row; ++i) least = std::min(least, level[static_cast<std::ptrdiff_t>(i)]);
+    out.push_back(least <= r.rung);
+  }
   return out;
 }
-std::vector<std::uint8_t> maskOf(const RankedRegion& r) {
-  std::vector<std::uint8_t> out(r.map->level.size());
-  const auto rung = static_cast<std::uint8_t>(r.rung);
-  std::transform(r.map->level.begin(), r.map->level.end(), out.begin(),
-                 [rung](std::uint8_t l) { return static_cast<std::uint8_t>(l <= rung); });
+
+//! A region's cells, 1 each, in the grid of another search. `rows`: rowsOf it.
+class MaskOn {
+ public:
+  MaskOn(const CellGrid& grid, const RankedRegion& r, const Mask& rows)
+      : own_(r.search->image.cells), map_(*r.map), rows_(rows), rung_(static_cast<std::uint8_t>(r.rung)) {
+    for (std::size_t a = 0; a < 3; ++a) cell_[a] = cellsAlong(a, own_, grid);
+    const auto isThere = [](int c) { return c != kNone; };
+    first_ =
+        static_cast<std::size_t>(std::find_if(cell_[0].begin(), cell_[0].end(), isThere) - cell_[0].begin());
+    end_ = cell_[0].size();
+    while (end_ > first_ && cell_[0][end_ - 1] == kNone) --end_;
+    for (std::size_t x = first_ + 1; x < end_; ++x)
+      isInStep_ = isInStep_ && cell_[0][x] == cell_[0][x - 1] + 1;
+  }
+
+  Mask make() const {
+    const std::size_t row = cell_[0].size(), plane = row * cell_[1].size();
+    Mask out(plane * cell_[2].size(), 0);
+    std::uint8_t* to = out.data();
+    for (std::size_t z = 0; z < cell_[2].size(); ++z)
+      for (std::size_t y = 0; y < cell_[1].size(); ++y, to += row) {
+        if (!hasCells(y, z)) continue;
+        if (z > 0 && cell_[2][z] == cell_[2][z - 1])  // finer cells in coarser ones: the same again
+          std::memcpy(to, to - plane, row);
+        else if (y > 0 && cell_[1][y] == cell_[1][y - 1])
+          std::memcpy(to, to - row, row);
+        else
+          takeRow(&map_.level[own_.at(0, cell_[1][y], cell_[2][z])], to);
+      }
+    return out;
+  }
+
+ private:
+  bool hasCells(std::size_t y, std::size_t z) const {
+    if (first_ == end_ || cell_[1][y] == kNone || cell_[2][z] == kNone) return false;
+    return rows_[static_cast<std::size_t>(cell_[2][z]) * static_cast<std::size_t>(own_.grid.size[1]) +
+                 static_cast<std::size_t>(cell_[1][y])] != 0;
+  }
+  void takeRow(const std::uint8_t* level, std::uint8_t* to) const {
+    if (isInStep_) return markRow(level + cell_[0][first_], rung_, end_ - first_, to + first_);
+    for (std::size_t x = first_; x < end_; ++x) to[x] = level[cell_[0][x]] <= rung_;
+  }
+
+  const CellGrid& own_;
+  const ArrivalMap& map_;
+  const Mask& rows_;
+  std::uint8_t rung_;
+  std::array<std::vector<int>, 3> cell_;
+  std::size_t first_ = 0, end_ = 0;  // within a row: cells that lie in some of the region's grid
+  bool isInStep_ = true;             // one after the other
+};
+
+Mask maskOf(const RankedRegion& r) {
+  Mask out(r.map->level.size());
+  markRow(r.map->level.data(), static_cast<std::uint8_t>(r.rung), out.size(), out.data());
   return out;
 }
 
@@ -68,7 +109,7 @@ std::vector<std::uint8_t> maskOf(const RankedRegion& r) {
 class CellSet {
  public:
   //! `mask`: 0 or 1 per cell.
-  explicit CellSet(std::vector<std::uint8_t> mask) {
+  explicit CellSet(Mask mask) {
     mask.resize((mask.size() + kBits - 1) / kBits * kBits, 0);
     for (std::size_t from = 0; from < mask.size(); from += kBits) {
       const std::uint64_t word = wordOf(&mask[from]);
@@ -124,14 +165,17 @@ class Listed {
         std::find_if(sets_.begin(), sets_.end(), [&](const auto& s) { return s.first == search; });
     if (known != sets_.end()) return known->second;
     giveUpIfCancelled();
-    sets_.emplace_back(
-        search, CellSet(search == region.search ? maskOf(region) : maskOn(search->image.cells, region)));
+    if (search != region.search && rows_.empty()) rows_ = rowsOf(region);
+    sets_.emplace_back(search,
+                       CellSet(search == region.search ? maskOf(region)
+                                                       : MaskOn(search->image.cells, region, rows_).make()));
     return sets_.back().second;
   }
   RankedRegion region;
 
  private:
   mutable std::vector<std::pair<const ClickSearch*, CellSet>> sets_;
+  mutable Mask rows_;
 };
 
 //! Volume (mm³) that two regions share, counted in the cells of the first.

@@ -14,43 +14,60 @@ std::uint8_t pick(std::uint8_t a, std::uint8_t b) {
   return (highest ? a > b : a < b) ? a : b;
 }
 
-//! The row itself.
+//! Cell by cell with those of the other.
 template <bool highest>
-void takeRow(const std::uint8_t* row, std::uint8_t* to, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) to[i] = pick<highest>(to[i], row[i]);
+void take(const std::uint8_t* other, std::uint8_t* to, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) to[i] = pick<highest>(to[i], other[i]);
 }
 
-//! The row with each cell's neighbours along it.
+//! A plane with each cell's neighbours along its row. All rows at once: only the ends of each are then other
+//! than in one long row.
 template <bool highest>
-void takeNeighbours(const std::uint8_t* row, std::uint8_t* to, std::size_t n) {
-  takeRow<highest>(row, to, n);
-  for (std::size_t i = 1; i < n; ++i) to[i] = pick<highest>(to[i], row[i - 1]);
-  for (std::size_t i = 0; i + 1 < n; ++i) to[i] = pick<highest>(to[i], row[i + 1]);
+void alongRows(const std::uint8_t* plane, std::uint8_t* to, std::size_t n, std::size_t rows) {
+  const std::size_t last = n * rows - 1;
+  const auto best = [&](std::size_t a, std::size_t b, std::size_t c) {
+    return pick<highest>(pick<highest>(plane[a], plane[b]), plane[c]);
+  };
+  for (std::size_t i = 1; i < last; ++i) to[i] = best(i, i - 1, i + 1);
+  for (std::size_t first = 0; first < n * rows; first += n) {
+    const std::size_t end = first + n - 1;
+    to[first] = best(first, first, std::min(first + 1, end));
+    to[end] = best(end, end, std::max(first + 1, end) - 1);
+  }
+}
+
+//! The cells of a plane with those of another, or of the same, in the rows before and after.
+template <bool highest>
+void takeAcrossRows(const std::uint8_t* other, std::uint8_t* to, std::size_t n, std::size_t rows) {
+  take<highest>(other, to + n, n * (rows - 1));
+  take<highest>(other + n, to, n * (rows - 1));
 }
 
 }  // namespace
 
-//! Row by row: those beside a row are in the cache still.
+//! Plane by plane, and in a plane all rows at once: single rows are too short for the processor.
 template <bool highest>
 void Morphology::run(Bytes& cells, const OpeningPass& pass) {
-  const std::size_t n = idx(size_[0]);
+  const std::size_t n = idx(size_[0]), rows = idx(size_[1]), plane = n * rows;
   result_ = cells;
-  const auto row = [&](int y, int z) { return (idx(z) * idx(size_[1]) + idx(y)) * n; };
-  for (int z = 0; z < size_[2]; ++z)
-    for (int y = 0; y < size_[1]; ++y) {
-      std::uint8_t* to = &result_[row(y, z)];
-      for (int dz = pass.along[2] ? -1 : 0; dz <= (pass.along[2] ? 1 : 0); ++dz)
-        for (int dy = pass.along[1] ? -1 : 0; dy <= (pass.along[1] ? 1 : 0); ++dy) {
-          const int aside = (dz != 0 ? 1 : 0) + (dy != 0 ? 1 : 0);
-          if (y + dy < 0 || y + dy >= size_[1] || z + dz < 0 || z + dz >= size_[2]) continue;
-          if (aside == 2 && !pass.diagonal) continue;
-          const std::uint8_t* from = &cells[row(y + dy, z + dz)];
-          if (pass.along[0] && (aside == 0 || (aside == 1 && pass.diagonal)))
-            takeNeighbours<highest>(from, to, n);
-          else
-            takeRow<highest>(from, to, n);
-        }
+  if (pass.along[0]) {
+    wide_.resize(cells.size());
+    for (int z = 0; z < size_[2]; ++z)
+      alongRows<highest>(&cells[idx(z) * plane], &wide_[idx(z) * plane], n, rows);
+  }
+  const Bytes& own = pass.along[0] ? wide_ : cells;
+  const Bytes& beside = pass.diagonal ? own : cells;  // across a face
+  for (int z = 0; z < size_[2]; ++z) {
+    std::uint8_t* to = &result_[idx(z) * plane];
+    std::copy_n(&own[idx(z) * plane], plane, to);
+    if (pass.along[1]) takeAcrossRows<highest>(&beside[idx(z) * plane], to, n, rows);
+    if (!pass.along[2]) continue;
+    for (const int other : {z - 1, z + 1}) {
+      if (other < 0 || other >= size_[2]) continue;
+      take<highest>(&beside[idx(other) * plane], to, plane);
+      if (pass.along[1] && pass.diagonal) takeAcrossRows<highest>(&cells[idx(other) * plane], to, n, rows);
     }
+  }
   cells.swap(result_);
 }
 

@@ -27,7 +27,7 @@ class Morphology {
   void run(std::vector<std::uint8_t>& cells, const OpeningPass& pass);
 
   std::array<int, 3> size_;
-  std::vector<std::uint8_t> result_;
+  std::vector<std::uint8_t> result_, wide_;
 };
 
 }  // namespace handlebody

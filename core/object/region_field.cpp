@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/object/distance.h"
+#include "core/volume/voxel_walk.h"
 
 namespace handlebody {
 
@@ -53,7 +54,7 @@ RegionField::RegionField(const WorkImage& work, const Region& region) {
 
 double RegionField::at(const Vec3& world) const {
   // Where the box ends at the volume's border, what is beyond is as the border is.
-  return interpolated(grid_, distance_, grid_.toIndex(world));
+  return trilinear(distance_.data(), grid_.size, grid_.toIndex(world));  // some may be infinite
 }
 
 bool RegionField::areJoined(const Vec3& from, const Vec3& to, double depth) const {
