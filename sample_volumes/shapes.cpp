@@ -97,7 +97,7 @@ const Shape& findShape(const std::string& name) {
     if (shape.name == name) return shape;
     known += (known.empty() ? "" : ", ") + shape.name;
   }
-  throw UsageError("There is no phantom \"" + name + "\"; there are: " + known + ".");
+  throw UsageError("There is no phantom \"" + name + "\"; there are: " + known + ", beating.");
 }
 
 }  // namespace handlebody::phantoms

@@ -58,6 +58,7 @@ class Batch {
         jobsAtATime_(std::max(options.jobs, 1)),
         cases_(readStudy(options.study, options.defaults)),
         folder_(options.folder, use) {
+    folder_.requireApart(options.study, cases_);
     summary_.study = std::filesystem::path(options.study).filename().string();
     summary_.version = HANDLEBODY_VERSION;
     for (const StudyCase& c : cases_) {

@@ -5,6 +5,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -116,6 +117,42 @@ Json sizesOf(const StudyCase& c, const std::string& folder) {
   return sizes;
 }
 
+bool isEmptyFolder(const std::string& path) {
+  std::error_code failed;
+  return !fs::exists(path, failed) || (fs::is_directory(path, failed) && fs::is_empty(path, failed));
+}
+
+//! Before the first batch works in a folder: what it would replace is not there yet. Later ones find its
+//! lock.
+void requireOwnOrNew(const std::string& folder) {
+  if (fs::exists(folder + "/.lock")) return;
+  const auto refuseFor = [&](const std::string& name) {
+    throw UsageError(folder + ": '" + name +
+                     "' is there already and of no batch; it would be replaced. Choose another folder.");
+  };
+  for (const char* table : BatchFolder::kTables)
+    if (fs::exists(folder + "/" + table)) refuseFor(table);
+  for (const char* part : {"cases", "failed"})
+    if (!isEmptyFolder(folder + "/" + part)) refuseFor(part);
+}
+
+//! What somebody has put beside the results of a case, which are made anew, is copied there.
+void keepForeignFiles(const std::string& from, const std::string& to) {
+  const Json record = readJson(from + "/" + kRecord);
+  if (!record.is_object()) return;
+  const Json files = record.value("files", Json::object());
+  for (const auto& entry : fs::directory_iterator(from)) {
+    const std::string name = entry.path().filename().string();
+    if (name == kRecord || name == "log.txt" || files.contains(name) || fs::exists(to + "/" + name)) continue;
+    fs::copy(entry.path(), to + "/" + name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+  }
+}
+
+bool liesIn(const std::string& path, const std::string& folder) {
+  const fs::path inner = fs::weakly_canonical(path), outer = fs::weakly_canonical(folder);
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
 //! In one step where the file system can swap names; else what was there is away for a moment. It is then
 //! under a name in the folder of `to` that no case has.
 void putInPlace(const std::string& from, const std::string& to) {
@@ -176,6 +213,7 @@ CaseHold::~CaseHold() {
 BatchFolder::BatchFolder(const std::string& path, FolderUse use)
     : path_(fs::absolute(path).lexically_normal().string()) {
   if (path_.size() > 1 && path_.back() == '/') path_.pop_back();
+  requireOwnOrNew(path_);
   for (const char* part : {"cases", "failed", ".holds"}) makeFolder(absolute(part));
   const bool isShared = use == FolderUse::shared;
   const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(1);
@@ -191,6 +229,27 @@ BatchFolder::BatchFolder(const std::string& path, FolderUse use)
 }
 
 BatchFolder::~BatchFolder() { ::close(lock_); }
+
+void BatchFolder::requireApart(const std::string& study, const std::vector<StudyCase>& cases) const {
+  for (const char* table : kTables)
+    if (fs::weakly_canonical(fs::absolute(study)) == fs::weakly_canonical(absolute(table)))
+      throw UsageError(study + ": a batch in " + path_ + " would replace it. Choose another folder.");
+  const auto require = [&](const std::string& input) {
+    for (const char* part : {"cases", "failed"})
+      if (!input.empty() && liesIn(input, absolute(part)))
+        throw UsageError(input + ": an input must not lie in " + absolute(part) +
+                         ", where the batch writes.");
+  };
+  for (const StudyCase& c : cases) {
+    require(c.volumePath);
+    for (const StudyInput& input : c.inputs) require(input.path);
+    const std::string folder = absolute(folderOf(c));
+    if (c.fault.empty() && !isEmptyFolder(folder) && !hasResults(c))
+      throw UsageError(
+          folder +
+          ": it is there already and of no batch; it would be replaced. Choose another name or folder.");
+  }
+}
 
 bool BatchFolder::hasResults(const StudyCase& c) const {
   return fs::exists(absolute(folderOf(c)) + "/" + kRecord);
@@ -236,6 +295,7 @@ void BatchFolder::finish(const StudyCase& c, const CaseEnd& end) const {
   writeRecord(c, end, folder);
   std::error_code ignored;
   if (c.isAnonymous) fs::remove(logOfWork(c), ignored);  // warnings name files
+  if (hasResults(c)) keepForeignFiles(target, folder);
   flushFolder(folder);
   putInPlace(folder, target);
   flushFolder(absolute("cases"));

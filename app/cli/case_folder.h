@@ -3,6 +3,7 @@
 // not, failed/NAME.json for why. A case's folder appears whole: it is filled under a temporary name and then
 // renamed.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,13 +32,21 @@ class CaseHold {
 
 class BatchFolder {
  public:
-  //! Makes what is not there. Holds the folder while it lives. Alone: takes away what a batch that was killed
-  //! has left half-done; throws UsageError if others are at work in it. Shared: waits a minute for one that
-  //! is there alone. Throws OutputError.
+  //! Of all cases; beside the folders of each.
+  static constexpr std::array kTables{"summary.csv", "summary.json", "index.html"};
+
+  //! Makes what is not there; throws UsageError if something is there that would be replaced and that no
+  //! batch has made. Holds the folder while it lives. Alone: takes away what a batch that was killed has left
+  //! half-done; throws UsageError if others are at work in it. Shared: waits a minute for one that is there
+  //! alone. Throws OutputError.
   explicit BatchFolder(const std::string& path, FolderUse use = FolderUse::alone);
   ~BatchFolder();
   BatchFolder(const BatchFolder&) = delete;
   BatchFolder& operator=(const BatchFolder&) = delete;
+
+  //! Throws UsageError if the study's file or an input of a case is what this batch writes, or a case's
+  //! folder is of somebody else.
+  void requireApart(const std::string& study, const std::vector<StudyCase>& cases) const;
 
   //! Of the results; relative to this one.
   static std::string folderOf(const StudyCase& c) { return "cases/" + c.name; }

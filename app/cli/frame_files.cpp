@@ -1,5 +1,7 @@
 #include "app/cli/frame_files.h"
 
+#include <utility>
+
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/formats/sequence_writer.h"
@@ -39,8 +41,7 @@ void checkFrameFiles(const RunOutputs& outputs, const std::vector<std::string>& 
       throw UsageError("--curve " + curve + ": a table is .csv, a plot .svg.");
     others.push_back({"--curve", curve});
   }
-  checkOutputs(every, inputs);
-  checkWritable(others, inputs);
+  checkOutputs(every, inputs, std::move(others));
 }
 
 void writeFrameFiles(const RunReport& report, const RunOutputs& outputs,

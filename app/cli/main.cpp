@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -91,5 +92,6 @@ int parseAndPerform(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   handlebody::cli::keepFreedMemory();
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of writing, told with the file's name
   return handlebody::cli::parseAndPerform(argc, argv);
 }

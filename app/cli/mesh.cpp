@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <numbers>
 
 #include "app/cli/command.h"
 #include "app/cli/export_options.h"
@@ -18,6 +20,7 @@
 #include "core/io/report/parse.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/result.h"
+#include "core/number_text.h"
 #include "core/solid/label_mesh.h"
 #include "core/solid/simplify.h"
 #include "core/threads.h"
@@ -59,6 +62,30 @@ Mask maskIn(LabelFile& file, const MeshOptions& o, std::optional<int> label) {
                      " voxels leaves " + plural(*o.genus, "tunnel") + " or fewer of its " +
                      std::to_string(countTunnels(mask)) + " (--genus).");
   return *simpler;
+}
+
+//! Without a limit a mistyped length fills the memory. A surface has no less area than a ball's of its
+//! volume.
+void requireManageable(const Mask& mask, const MeshOptions& o) {
+  constexpr double kMaxTriangles = 2e6, kFine = 0.25;
+  const double edge = o.how.edgeLength;
+  if (edge <= 0 || edge >= kFine * mask.grid.spacing.minCoeff()) return;
+  const auto voxels = static_cast<double>(std::count(mask.inside.begin(), mask.inside.end(), 1));
+  const double area = std::cbrt(36 * std::numbers::pi * std::pow(voxels * mask.grid.voxelVolume(), 2));
+  if (area > kMaxTriangles * std::sqrt(3.0) / 4 * edge * edge)
+    throw OptionError(
+        "--edge-length",
+        numberText(edge) + " mm is too short: the surface would have over two million triangles.", " ");
+}
+
+void requireSmooth(const Grid& grid, double smoothing) {
+  double longest = 0;
+  for (int a = 0; a < 3; ++a) longest = std::max(longest, grid.size[a] * grid.spacing[a]);
+  if (smoothing > longest / 4)
+    throw OptionError("--smooth",
+                      numberText(smoothing) + " mm is too much for a label map whose longest side is " +
+                          numberText(longest) + " mm: at most " + numberText(longest / 4) + " mm.",
+                      " ");
 }
 
 //! What is wrong with a mask is told without a subject.
@@ -118,7 +145,10 @@ int mesh(const MeshOptions& o) {
   const ExportContext context{info.grid, o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
                               info.dicom, o.content, o.mesherSeconds};
   for (const std::string& path : o.results) checkResult(path, context);
-  CertifiedMesh made = rounded(meshOf(maskIn(file, o, label), o).mesh, o);
+  requireSmooth(info.grid, o.how.smoothing);
+  const Mask mask = maskIn(file, o, label);
+  requireManageable(mask, o);
+  CertifiedMesh made = rounded(meshOf(mask, o).mesh, o);
   const std::optional<PolishReport> polished = polish(made, info.grid, o);
   {
     const DeferSignals whole;

@@ -113,8 +113,8 @@ void assignResults(RunOutputs& outputs, const std::vector<ObjectLabel>& objects)
   }
 }
 
-void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs) {
-  std::vector<OutputFile> files;
+void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs,
+                  std::vector<OutputFile> files) {
   for (const ResultFile& file : outputs.files) {
     files.push_back({"-o", file.path});
     checkResultExtension(files.back());

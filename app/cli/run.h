@@ -53,9 +53,10 @@ void assignResults(RunOutputs& outputs, const std::vector<ObjectLabel>& objects)
 //! The files that a session reads: no output may be one of them.
 std::vector<std::string> inputsOf(const Session& session);
 
-//! Before any work, after assignResults: throws UsageError if an output has no known extension or cannot be
-//! written.
-void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs);
+//! Before any work, after assignResults: throws UsageError if an output, or one of the further `files`, has
+//! no known extension or cannot be written.
+void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs,
+                  std::vector<OutputFile> files = {});
 
 //! Seconds since it was made or last asked.
 class Stopwatch {

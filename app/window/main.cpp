@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <clocale>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <optional>
@@ -65,6 +66,7 @@ int showWindow(const Options& options) {
 }  // namespace handlebody::app
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of writing, told with the file's name
   handlebody::app::Options options;
   if (const auto code = handlebody::app::readOptions(argc, argv, options)) return *code;
   qInstallMessageHandler(handlebody::app::endOnFatal);

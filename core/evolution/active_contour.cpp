@@ -7,7 +7,9 @@
 #include "core/evolution/click_faults.h"
 #include "core/evolution/contour_state.h"
 #include "core/evolution/image_warnings.h"
+#include "core/indices.h"
 #include "core/mesh/morton_order.h"
+#include "core/number_text.h"
 
 namespace handlebody {
 
@@ -131,10 +133,29 @@ StepReport ActiveContour::State::editStep(const MeshEdit& edit) {
   return report;
 }
 
+namespace {
+
+//! Beyond these nothing of the image is left, or of the surface in it, and there is no end of memory.
+void requireWithin(const Parameters& p, const Grid& grid) {
+  double longest = 0;
+  for (int a = 0; a < 3; ++a) longest = std::max(longest, grid.size[idx(a)] * grid.spacing[a]);
+  const auto require = [&](const std::optional<double>& given, double most, const char* what) {
+    if (given && *given > most)
+      throw UsageError("The " + std::string(what) + " of " + numberText(*given) +
+                       " mm is too large for a volume whose longest side is " + numberText(longest) +
+                       " mm: at most " + numberText(most) + " mm.");
+  };
+  require(p.smoothing, longest / 4, "smoothing (--smoothing)");
+  require(p.edgeLength, longest / 2, "edge length (--edge-length)");
+}
+
+}  // namespace
+
 ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters,
                              const Constraints& constraints, ObjectMemory* memory)
     : state_(std::make_unique<State>()) {
   requireSensible(parameters);
+  requireWithin(parameters, volume.grid);
   requireSensible(constraints, volume.grid);
   state_->volume = std::move(volume);
   state_->object = objectOf(state_->volume, seeds, parameters, constraints.start, memory);
@@ -163,6 +184,7 @@ ActiveContour ActiveContour::restarted(const Parameters& parameters, const Const
   if (!chooseSameImage(parameters, requested()) || constraints.start != this->constraints().start)
     return {state_->volume, requestedSeeds(), parameters, constraints};
   requireSensible(parameters);
+  requireWithin(parameters, grid());
   requireSensible(constraints, grid());
   auto fresh = std::make_unique<State>();
   fresh->volume = state_->volume;

@@ -4,8 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -42,9 +44,12 @@ class Temporary {
 std::string temporaryName(const std::string& path) {
   static std::atomic<unsigned> counter{0};  // of the process: two threads may write the same path
   const fs::path target(path);
-  // In front, so that the ending stays; in lower case, because libraries know endings only so.
-  std::string name = ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-" +
-                     target.filename().string();
+  // In front, so that the ending stays; in lower case, because libraries know endings only so. Of a name that
+  // is as long as names may be only the end.
+  std::string name = ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-";
+  const std::string whole = target.filename().string();
+  name += whole.substr(whole.size() -
+                       std::min(whole.size(), NAME_MAX - std::min<std::size_t>(name.size(), NAME_MAX)));
   for (char& c : name)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return (target.parent_path() / name).string();

@@ -402,3 +402,63 @@ TEST_CASE("a hundred cases with three bad rows, two kills and a resume", "[.][sl
       if (j % 33 != 7) CHECK(readBytes(mesh) == readBytes(s.file("case" + std::to_string(j))));
   }
 }
+
+TEST_CASE("a batch replaces nothing that no batch has made", "[batch]") {
+  const Study s;
+  const auto isRefused = [&](const std::string& said) {
+    const Outcome outcome = s.run();
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains(said));
+  };
+  writeBytes(s.csv, kHeader + "\n" + s.row("a"));
+  const std::string mine = s.out + "/cases/a/notes.txt", page = s.out + "/index.html";
+  SECTION("a folder of a case, of which it may be the input") {
+    fs::create_directories(s.out + "/cases/a");
+    writeBytes(mine, "mine");
+    isRefused("'cases'");
+    CHECK(readBytes(mine) == "mine");
+  }
+  SECTION("a page") {
+    fs::create_directories(s.out);
+    writeBytes(page, "mine");
+    isRefused("'index.html'");
+    CHECK(readBytes(page) == "mine");
+  }
+  SECTION("a folder that was put there after a batch, and an input in one") {
+    REQUIRE(s.run().exitCode == 0);
+    const std::string volume = s.out + "/cases/b/volume.mha";
+    fs::create_directories(s.out + "/cases/b");
+    fs::copy_file(s.phantom.path, volume);
+    writeBytes(s.csv, kHeader + "\n" + s.row("a") + s.row("b"));
+    isRefused("cases/b");
+    writeBytes(s.csv, kHeader + "\nc,out/cases/b/volume.mha,\"" + s.phantom.seed + "\"\n");
+    isRefused("an input must not lie in");
+    CHECK(readBytes(volume) == readBytes(s.phantom.path));
+  }
+}
+
+TEST_CASE("a study in the folder of its results does not bear the name of a table", "[batch]") {
+  const Study s;
+  REQUIRE(runCli({"batch", s.csv, "-o", s.out}).exitCode != 0);  // there is no study yet
+  fs::create_directories(s.out);
+  const std::string study = s.out + "/summary.csv",
+                    text = kHeader + "\na,../sphere.mha,\"" + s.phantom.seed + "\"\n";
+  writeBytes(study, text);
+  const Outcome outcome = runCli({"batch", study, "-o", s.out});
+  CHECK(outcome.exitCode == 2);
+  CHECK_THAT(outcome.err, Catch::Matchers::Contains("summary.csv"));
+  CHECK(readBytes(study) == text);
+}
+
+TEST_CASE("what somebody has put beside the results of a case stays when they are made anew", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + ",curvature\n" + s.row("a", ",0.2"));
+  REQUIRE(s.run().exitCode == 0);
+  fs::create_directories(s.file("a", "pictures"));
+  writeBytes(s.file("a", "notes.txt"), "mine");
+  writeBytes(s.file("a", "pictures/one.png"), "mine, too");
+  writeBytes(s.csv, kHeader + ",curvature\n" + s.row("a", ",0.3"));
+  CHECK(s.run().out.find("1 done (0 of them before)") == 0);
+  CHECK(readBytes(s.file("a", "notes.txt")) == "mine");
+  CHECK(readBytes(s.file("a", "pictures/one.png")) == "mine, too");
+}

@@ -210,12 +210,15 @@ TEST_CASE("what is no label map, or has nothing to mesh, is refused in one sente
   requireRefusal(folder, {"mesh", folder / "zero.mha", "-o", out}, 3, "zero.mha");
   requireRefusal(folder, {"mesh", labels, "--label", "9", "-o", out}, 3, "9");
   requireRefusal(folder, {"mesh", labels, "--label", "", "-o", out}, 2, "--label");
-  for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--smooth", "-1"},
-                                                                                      {"--smooth", "inf"},
-                                                                                      {"--edge-length", "0"},
-                                                                                      {"--genus", "-1"},
-                                                                                      {"--label", "1.5"},
-                                                                                      {"--space", "MNI"},
-                                                                                      {"--threads", "0"}})
+  for (const auto& [option, value] :
+       std::vector<std::pair<std::string, std::string>>{{"--smooth", "-1"},
+                                                        {"--smooth", "inf"},
+                                                        {"--smooth", "1e6"},
+                                                        {"--edge-length", "1e-6"},
+                                                        {"--edge-length", "0"},
+                                                        {"--genus", "-1"},
+                                                        {"--label", "1.5"},
+                                                        {"--space", "MNI"},
+                                                        {"--threads", "0"}})
     requireRefusal(folder, {"mesh", labels, option, value, "-o", out}, 2, option);
 }

@@ -1,6 +1,7 @@
 #include "app/cli/outputs.h"
 
 #include <csignal>
+#include <filesystem>
 
 #include "core/errors.h"
 #include "tests/app/run_cli.h"
@@ -48,6 +49,52 @@ TEST_CASE("checking whether files can be written leaves nothing behind", "[cli]"
                   UsageError);
   CHECK_THROWS_AS(checkWritable({{"-o", folder / "v.mha"}}, {folder / "v.mha"}), UsageError);
   CHECK_THROWS_AS(checkWritable({{"-o", folder.path()}}, {}), UsageError);
+}
+
+TEST_CASE("nothing that a volume is read from is written, nor anything beside it in its folder", "[cli]") {
+  const TempFolder folder;
+  const std::string data = folder / "voxels.raw";
+  test::writeBytes(data, "voxels");
+  test::writeBytes(folder / "v.mhd", "ObjectType = Image\nNDims = 3\nElementDataFile = voxels.raw\n");
+  test::writeBytes(folder / "v.nhdr", "NRRD0004\ntype: uchar\ndimension: 3\ndata file: voxels.raw\n\n");
+  test::writeBytes(folder / "pair.hdr", "");
+  const auto isRefused = [&](const std::string& path, const std::string& input) {
+    try {
+      checkWritable({{"--report", path}}, {input});
+    } catch (const UsageError& error) {
+      return std::string(error.what()).find(path) != std::string::npos;
+    }
+    return false;
+  };
+  CHECK(isRefused(data, folder / "v.mhd"));
+  CHECK(isRefused(data, folder / "v.nhdr"));
+  CHECK(isRefused(folder / "./voxels.raw", folder / "v.nhdr"));
+  CHECK(isRefused(folder / "pair.img", folder / "pair.hdr"));
+  CHECK_FALSE(isRefused(folder / "other.raw", folder / "v.mhd"));
+  CHECK(isRefused(data, folder.path()));
+  CHECK(isRefused(folder / "new.nrrd", folder.path()));
+  std::filesystem::create_directory(folder / "results");
+  CHECK_FALSE(isRefused(folder / "results/new.nrrd", folder.path()));
+  CHECK(test::readBytes(data) == "voxels");
+}
+
+TEST_CASE("a file that two options of a run over time name is refused", "[cli][time]") {
+  const TempFolder folder;
+  const auto phantom = test::runForJson(
+      {"phantom", "beating", "--frames", "2", "--spacing", "4,4,4", "-o", folder / "beat.nii.gz"});
+  const auto& seed = phantom.at("seed").at("centre");
+  const std::string place = seed[0].dump() + "," + seed[1].dump() + "," + seed[2].dump();
+  for (const std::vector<std::string>& twice :
+       {std::vector<std::string>{"-o", folder / "h.vtp", "--report", folder / "h.pvd"},
+        std::vector<std::string>{"-o", folder / "h.vtp", "--report", folder / "c.csv", "--curve",
+                                 folder / "c.csv"}}) {
+    std::vector<std::string> words{"segment", folder / "beat.nii.gz", "--seed", place, "--frames", "all"};
+    words.insert(words.end(), twice.begin(), twice.end());
+    const auto outcome = test::runCli(words);
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains("named twice"));
+  }
+  CHECK(folder.names() == std::vector<std::string>{"beat.nii.gz"});
 }
 
 TEST_CASE("an interrupt ends the program and leaves no file behind", "[cli]") {

@@ -497,3 +497,19 @@ TEST_CASE("an anonymous session replays with the volume named, and says so witho
     CHECK(readBytes(run.folder / "a.stl") == readBytes(run.folder / "b.stl"));
   }
 }
+
+TEST_CASE("a smoothing or an edge that no surface of the volume could have is refused by its name", "[cli]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  for (const auto& [option, value] :
+       std::vector<std::pair<std::string, std::string>>{{"--smoothing", "1e9"},
+                                                        {"--smoothing", "1e308"},
+                                                        {"--edge-length", "200"},
+                                                        {"--edge-length", "1e20"}}) {
+    const Outcome outcome =
+        runCli({"segment", phantom.path, "--seed", phantom.seed, option, value, "-o", folder / "m.stl"});
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains(option) && Contains("at most"));
+  }
+  CHECK(folder.names() == std::vector<std::string>{"sphere.mha"});
+}

@@ -65,6 +65,13 @@ TEST_CASE("text is written whole and replaces what was there") {
   CHECK(folder.fileCount() == 1);
 }
 
+TEST_CASE("a name may be as long as names are") {
+  const TemporaryFolder folder;
+  const std::string path = folder / (std::string(251, 'a') + ".txt");
+  writeTextAtomically(path, "whole");
+  CHECK(readBytes(path) == "whole");
+}
+
 TEST_CASE("a writer that throws leaves no file and keeps the old one") {
   const TemporaryFolder folder;
   writeTextAtomically(folder / "r.json", "old");

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/io/formats/header_text.h"
+#include "core/io/formats/meta_text.h"
 #include "core/io/formats/stored_voxels.h"
 #include "core/io/trimmed.h"
 
@@ -138,13 +139,17 @@ void setGeometry(const MetaText& text, std::size_t dimensions, const std::string
       "DimSize", {source(spacing), source(spacing), source(spacing)}, source(origin), source(direction)};
 }
 
+bool isLocalData(const std::string& file) { return file == "LOCAL" || file == "Local" || file == "local"; }
+bool areSeveralFiles(const std::string& file) {
+  return file.rfind("LIST", 0) == 0 || file.find('%') != std::string::npos;
+}
+
 StoredVoxels voxelsOf(const MetaText& text, const std::string& path, const VolumeHeader& header) {
   const std::string file = text.value("ElementDataFile");
-  if (file.rfind("LIST", 0) == 0 || file.find('%') != std::string::npos)
-    refuseInput(path, FindingKind::manyDataFiles);
+  if (areSeveralFiles(file)) refuseInput(path, FindingKind::manyDataFiles);
   if (!text.value("BinaryData").empty() && !text.isTrue("BinaryData"))
     refuseInput(path, FindingKind::voxelsAsText);
-  const bool isLocal = file == "LOCAL" || file == "Local" || file == "local";
+  const bool isLocal = isLocalData(file);
   StoredVoxels voxels{isLocal ? path : (fs::path(path).parent_path() / file).string(), text.end};
   if (!fs::is_regular_file(voxels.file))
     refuseInput(path, {FindingKind::dataFileMissing, {{"data", voxels.file}}});
@@ -164,6 +169,12 @@ StoredVoxels voxelsOf(const MetaText& text, const std::string& path, const Volum
 }
 
 }  // namespace
+
+std::string metaDataFile(const std::string& path) {
+  const std::string file = readText(path).value("ElementDataFile");
+  if (file.empty() || isLocalData(file) || areSeveralFiles(file)) return {};
+  return (fs::path(path).parent_path() / file).string();
+}
 
 SourcePointer openMetaImage(const std::string& path) {
   const MetaText text = readText(path);

@@ -56,7 +56,12 @@ void requireNothingWaiting(const ActiveContour& contour) {
 CertifiedMesh grownMesh(const ActiveContour& contour) {
   if (contour.stopReason() == StopReason::empty)
     throw Told<SeedError>(Finding(FindingKind::surfaceVanished, {{"iterations", contour.iteration()}}));
-  return certifiedForExport(contour.mesh().compact());
+  try {
+    return certifiedForExport(contour.mesh().compact());
+  } catch (const std::runtime_error&) {  // it was certified as it grew: what fails then is the rounding
+    throw InputError(
+        "The surface intersects itself in single precision: the volume lies too far from the origin.");
+  }
 }
 
 void addWarnings(const ActiveContour& contour, const TriangleSoup& mesh, RunReport& report) {

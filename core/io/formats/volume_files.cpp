@@ -1,0 +1,49 @@
+#include "core/io/formats/volume_files.h"
+
+#include <exception>
+#include <filesystem>
+
+#include "core/io/formats/meta_text.h"
+#include "core/io/formats/nrrd_header.h"
+#include "core/io/lowered.h"
+
+namespace handlebody {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> filesIn(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code failed;
+  for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
+    if (at->is_regular_file(failed)) files.push_back(at->path().string());
+  return files;
+}
+
+std::vector<std::string> dataFilesOf(const std::string& path) {
+  const std::string lower = lowered(path);
+  if (lower.ends_with(".nhdr") || lower.ends_with(".nrrd")) return readNrrdFields(path).dataFiles;
+  if (lower.ends_with(".mhd") || lower.ends_with(".mha"))
+    if (const std::string data = metaDataFile(path); !data.empty()) return {data};
+  for (const std::string ending : {".hdr", ".img", ".img.gz", ".hdr.gz"}) {
+    if (!lower.ends_with(ending)) continue;
+    const std::string stem = path.substr(0, path.size() - ending.size());
+    return {stem + ".hdr", stem + ".hdr.gz", stem + ".img", stem + ".img.gz"};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> filesOfVolume(const std::string& path) {
+  std::error_code failed;
+  if (fs::is_directory(path, failed)) return filesIn(path);
+  std::vector<std::string> files{path};
+  try {
+    for (std::string& file : dataFilesOf(path)) files.push_back(std::move(file));
+  } catch (const std::exception&) {  // opening it will say why
+  }
+  return files;
+}
+
+}  // namespace handlebody
