@@ -77,6 +77,7 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
       time.setRequest(sessions.front().overTime.value_or(OverTimeRequest{}),
                       sessions.front().overTime.has_value());
   }
+  if (Journal::isJournal(path)) journalNow();  // which will not be kept: only now all of it is taken over
   Q_EMIT q.polishesChanged();
   Q_EMIT q.opened();
   tellAll();
@@ -95,7 +96,6 @@ void Document::Private::adoptObjects(const QString& path, const std::vector<Sess
   readView();
   if (Journal::isJournal(path)) {
     undo.resetClean();
-    journalNow();
   } else if (!work->isAnonymous) {  // what is saved names the volume, and is not to take its place unasked
     sessionPath = path;
   }

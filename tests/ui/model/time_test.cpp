@@ -1,6 +1,9 @@
 // The frames of a 4D volume in a document: shown, grown in, carried through.
 
+#include <QStandardPaths>
+
 #include "core/errors.h"
+#include "core/io/report/session.h"
 #include "core/sequence/over_time.h"
 #include "tests/ui/model/time_support.h"
 
@@ -440,4 +443,48 @@ TEST_CASE("undo leads back into the corrected frame", "[document][time]") {
   document.endCorrection(false);
   CHECK(document.seeds().size() == 1);
   CHECK(document.time().workFrame() == 0);
+}
+
+namespace {
+
+QDir journalFolder() {
+  const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/journal");
+  folder.mkpath(".");
+  return folder;
+}
+
+//! As a killed program leaves it: clicked into, not grown yet, and asked for over time with a correction.
+bool leaveJournal(const BeatingFile& heart, const QString& path) {
+  Document document;
+  QString written;
+  QObject::connect(&document, &Document::sessionSaved, [&](const QString& p) { written = p; });
+  if (!openAndWait(document, heart.path)) return false;
+  document.addSeed({heart.seed, {}});
+  OverTimeRequest request;
+  request.holdTopology = false;
+  request.corrections.push_back({2, {{{heart.seed, {}}}, {}, {}}});
+  document.setOverTime(request, "Over time");
+  document.saveSession(path);
+  return waitFor([&] { return written == path; });
+}
+
+}  // namespace
+
+TEST_CASE("what was asked for over time stands in the journal of what was restored", "[document][time]") {
+  const BeatingFile heart;
+  const QDir folder = journalFolder();
+  const QString killed = folder.filePath("killed.json");
+  REQUIRE(leaveJournal(heart, killed));
+  Document document;
+  REQUIRE(openAndWait(document, killed));
+  Document::discardRecoverable(killed);
+  const auto kept = [&] { return folder.entryList({"*.json"}, QDir::Files); };
+  REQUIRE(waitFor([&] { return kept().size() == 1; }));
+  const Session session = readSession(folder.filePath(kept().front()).toStdString());
+  REQUIRE(session.overTime.has_value());
+  CHECK_FALSE(session.overTime->holdTopology);
+  REQUIRE(session.overTime->corrections.size() == 1);
+  CHECK(session.overTime->corrections[0].frame == 2);
+  CHECK(session.overTime->corrections[0].request.seeds == std::vector<Seed>{{heart.seed, {}}});
+  CHECK(document.isModified());
 }

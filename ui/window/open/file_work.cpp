@@ -8,7 +8,6 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QProgressDialog>
-#include <QPushButton>
 #include <QSaveFile>
 #include <QSettings>
 #include <QWidget>
@@ -109,9 +108,8 @@ void FileWork::connectMessages() {
   const auto failed = [this](const QString& text) { messages_.show(MessageBar::Kind::error, text); };
   connect(&document_, &Document::openFailed, this, &FileWork::sayOpenFailed);
   connect(&document_, &Document::fileNeeded, this, &FileWork::askForFile);
-  connect(&document_, &Document::opened, this, [this] {
-    if (!remembered_.isEmpty()) remember(remembered_);
-  });
+  connect(&document_, &Document::opening, this, [this](const QString& path) { reading_ = path; });
+  connect(&document_, &Document::opened, this, &FileWork::keepTrack);
   connect(&document_, &Document::exportFailed, this, failed);
   connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
     next_ = nullptr;
@@ -131,6 +129,12 @@ void FileWork::connectMessages() {
     remember(path);
     afterSaved();
   });
+}
+
+//! A journal whose reading was cancelled, failed or gave way to another file stays, and is offered again.
+void FileWork::keepTrack() {
+  if (!remembered_.isEmpty()) remember(remembered_);
+  if (!restored_.isEmpty() && reading_ == restored_) Document::discardRecoverable(restored_);
 }
 
 void FileWork::afterSaved() {
@@ -481,20 +485,14 @@ void FileWork::offerRecovery() {
   const QStringList journals = Document::recoverable();
   if (journals.isEmpty()) return;
   const QString journal = journals.front();
-  messages_.show(MessageBar::Kind::warning,
-                 tr("The program ended unexpectedly last time. Its seeds and parameters were kept."),
-                 {{tr("Restore"), [this, journal] { recover(journal); }},
-                  {tr("Discard"), [journal] { Document::discardRecoverable(journal); }}});
+  messages_.ask(MessageBar::Kind::warning,
+                tr("The program ended unexpectedly last time. Its seeds and parameters were kept."),
+                {{tr("Restore"), [this, journal] { recover(journal); }},
+                 {tr("Discard"), [journal] { Document::discardRecoverable(journal); }}});
 }
 
 void FileWork::recover(const QString& journal) {
-  auto* once = new QObject(this);
-  connect(&document_, &Document::opened, once, [journal, once] {
-    Document::discardRecoverable(journal);
-    once->deleteLater();
-  });
-  connect(&document_, &Document::openFailed, once, &QObject::deleteLater);  // the journal is offered again
-  begin(journal, {});
+  whenSaved([this, journal] { begin(restored_ = journal, {}); });
 }
 
 }  // namespace handlebody::ui

@@ -70,6 +70,7 @@ class FileWork : public QObject {
   void begin(const QString& path, const VolumeSelection& selection);
   void whenSaved(std::function<void()> next);
   void afterSaved();
+  void keepTrack();
   void recover(const QString& journal);
   //! What is written under a name that was chosen, e.g. a file for each object.
   using FilesOf = std::function<QStringList(const QString& path)>;
@@ -106,6 +107,8 @@ class FileWork : public QObject {
   QStringList given_;               //!< the files of that session, which does not name them
   QString polished_;                //!< what polishing did to the file that is being written
   QString remembered_;              //!< stands among the recent ones once it is open; empty: does not
+  QString reading_;                 //!< what the document reads, or has read last
+  QString restored_;                //!< the journal that was to be restored last
   bool closing_ = false;
 };
 

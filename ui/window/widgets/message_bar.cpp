@@ -66,7 +66,7 @@ MessageBar::MessageBar(QWidget* parent)
   layout_->addWidget(makeCloseButton(), 0, Qt::AlignTop);
   timer_->setSingleShot(true);
   connect(timer_, &QTimer::timeout, this, &MessageBar::dismiss);
-  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MessageBar::dismiss);
+  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MessageBar::putAway);
   parent->installEventFilter(this);
   hide();
 }
@@ -78,11 +78,23 @@ QAbstractButton* MessageBar::makeCloseButton() {
   close->setFocusPolicy(Qt::TabFocus);
   close->setAccessibleName(tr("Close the message"));
   close->setToolTip(tr("Close the message (Esc)"));
-  connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
+  connect(close, &QToolButton::clicked, this, &MessageBar::putAway);
   return close;
 }
 
 void MessageBar::show(Kind kind, const QString& sentence, const std::vector<Answer>& answers) {
+  showsQuestion_ = false;
+  present({kind, sentence, answers});
+}
+
+void MessageBar::ask(Kind kind, const QString& sentence, const std::vector<Answer>& answers) {
+  question_ = {kind, sentence, answers};
+  showsQuestion_ = true;
+  present(*question_);
+}
+
+void MessageBar::present(const Message& message) {
+  const auto& [kind, sentence, answers] = message;
   symbol_->setPixmap(icon(symbolName(kind)).pixmap(QSize(kSymbol, kSymbol), devicePixelRatioF()));
   sentence_ = sentence;
   text_->setText(breakable(sentence));
@@ -147,7 +159,7 @@ void MessageBar::setAnswers(const std::vector<Answer>& answers) {
     button->setFocusPolicy(Qt::TabFocus);
     button->setMinimumWidth(button->sizeHint().width() + 2 * kPadding);
     connect(button, &QPushButton::clicked, this, [this, action = answer.action] {
-      dismiss();
+      putAway();
       action();
     });
     row->addWidget(button);
@@ -160,7 +172,16 @@ QString MessageBar::text() const { return sentence_; }
 
 void MessageBar::dismiss() {
   timer_->stop();
-  hide();
+  if (!question_) return hide();
+  if (showsQuestion_) return;
+  showsQuestion_ = true;
+  present(*question_);
+}
+
+//! By the user: it is answered, or not to be seen any more.
+void MessageBar::putAway() {
+  if (showsQuestion_) question_.reset();
+  dismiss();
 }
 
 }  // namespace handlebody::ui

@@ -3,6 +3,7 @@
 
 #include <QFrame>
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QAbstractButton;
@@ -30,7 +31,11 @@ class MessageBar : public QFrame {
 
   //! Replaces what is shown. Informations without answers go by themselves after some seconds.
   void show(Kind kind, const QString& sentence, const std::vector<Answer>& answers = {});
+  //! The same of a question that waits until it is answered or closed: what is shown meanwhile only covers
+  //! it.
+  void ask(Kind kind, const QString& sentence, const std::vector<Answer>& answers);
   QString text() const;
+  //! What is shown is no longer so; a question that waits stays, or is seen again.
   void dismiss();
 
  protected:
@@ -38,7 +43,14 @@ class MessageBar : public QFrame {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  struct Message {
+    Kind kind;
+    QString sentence;
+    std::vector<Answer> answers;
+  };
   QAbstractButton* makeCloseButton();
+  void present(const Message& message);
+  void putAway();
   void setAnswers(const std::vector<Answer>& answers);
   void place();
   void announce(Kind kind);
@@ -46,6 +58,8 @@ class MessageBar : public QFrame {
   QLabel* symbol_;
   QLabel* text_;
   QString sentence_;
+  std::optional<Message> question_;  //!< waits for its answer
+  bool showsQuestion_ = false;       //!< it is what is shown, or was last
   QWidget* answers_ = nullptr;
   QHBoxLayout* layout_;
   QTimer* timer_;
