@@ -33,6 +33,7 @@ void Document::Private::changed(const ObjectWork& object, Part part) {
   if (part != Part::snapshot && part != Part::state) return;
   updateModified();
   if (part == Part::state) carryAfterReplay();
+  if (part == Part::state) tellIfWithoutSurface(object);
   if (!object.isBusy()) pokeAfter(object);
 }
 

@@ -71,8 +71,24 @@ void Document::Private::addOpened(const ObjectsToOpen& asked, const std::vector<
   after.entries.insert(place, fresh.begin(), fresh.end());
   if (asked.as == OpenAs::start) after.active = fresh.front().object;
   pushList(fresh.size() == 1 ? tr("Open object") : tr("Open objects"), std::move(after));
+  begun.clear();
+  withoutSurface.clear();
+  for (const ObjectList::Entry& entry : fresh) begun.push_back(entry.object);
   for (const ObjectList::Entry& entry : fresh) entry.object->begin();
   Q_EMIT q.objectsOpened(asked.path, names, shared);
+}
+
+//! That it meets another object, say, is known only when it is prepared. All sentences each time: a message
+//! takes the place of the one before.
+void Document::Private::tellIfWithoutSurface(const ObjectWork& object) {
+  const auto isIt = [&](const std::weak_ptr<const ObjectWork>& o) { return o.lock().get() == &object; };
+  const auto found = std::find_if(begun.begin(), begun.end(), isIt);
+  if (found == begun.end() || object.isBusy()) return;
+  begun.erase(found);
+  const QString why = object.error();
+  if (why.isEmpty() || withoutSurface.contains(why)) return;
+  withoutSurface << why;
+  Q_EMIT q.refused(withoutSurface.join(QLatin1Char(' ')));
 }
 
 }  // namespace handlebody::ui

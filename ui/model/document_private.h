@@ -81,6 +81,7 @@ class Document::Private : public ObjectHost {
   void applyList(const ObjectList& after);
   void pokeAfter(const ObjectWork& object);
   void addOpened(const ObjectsToOpen& asked, const std::vector<OpenedObject>& opened);
+  void tellIfWithoutSurface(const ObjectWork& object);
   //! False, and says so, if the active object is locked, or another frame is shown than it is grown in.
   bool mayChange();
   //! False, and says so, if it is locked. Shows the frame that it is grown in.
@@ -153,6 +154,8 @@ class Document::Private : public ObjectHost {
   QByteArray view;
   bool wasModified = false;
   NewestJob opening, openingObjects, exporting;
+  std::vector<std::weak_ptr<const ObjectWork>> begun;  // what was opened last, while it is prepared
+  QStringList withoutSurface;                          // why that is so, of those that failed
 
   // What is edited, and how that is undone.
   ObjectSet objects;

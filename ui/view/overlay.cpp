@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGuiApplication>
+#include <QLocale>
 #include <QPainterPath>
 #include <cmath>
 
@@ -118,8 +119,9 @@ void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel) {
                    pixels, kThickness);
   painter.fillRect(bar.adjusted(-1, -1, 1, 1), kRim);
   painter.fillRect(bar, QColor(0xe8, 0xec, 0xf0));
+  const QString number = QLocale().toString(length, 'f', QLocale::FloatingPointShortest);
   paintText(painter, {bar.right(), bar.top() - 2}, Qt::AlignRight | Qt::AlignBottom,
-            QCoreApplication::translate("SliceView", "%1 mm").arg(length), overlayFont(0.95));
+            QCoreApplication::translate("SliceView", "%1 mm").arg(number), overlayFont(0.95));
 }
 
 void paintFrame(QPainter& painter, const QSizeF& size, const QColor& colour, bool focused) {

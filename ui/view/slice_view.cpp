@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QVector>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -297,6 +298,7 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
     d_->slice = {};
     d_->shownKey = {};
     update();
+    tellHoverAgain();
   });
   connect(&document, &Document::seedsChanged, this, repaint);
   connect(&document, &Document::selectedSeedChanged, this, repaint);
@@ -324,6 +326,7 @@ Plane SliceView::plane() const { return d_->plane; }
 void SliceView::resetZoom() {
   d_->geometry.fit();
   update();
+  tellHoverAgain();
 }
 
 QImage SliceView::picture() {
@@ -353,12 +356,14 @@ void SliceView::startVolume() {
   else
     unsetCursor();
   update();
+  tellHoverAgain();
 }
 
 void SliceView::followCrosshair() {
   if (!d_->document.hasVolume()) return;
   d_->geometry.setSlice(d_->geometry.nearestSlice(d_->state.crosshair()));
   update();
+  tellHoverAgain();
 }
 
 void SliceView::paintEvent(QPaintEvent*) {
@@ -366,7 +371,10 @@ void SliceView::paintEvent(QPaintEvent*) {
   d_->paint(painter, devicePixelRatioF(), hasFocus());
 }
 
-void SliceView::resizeEvent(QResizeEvent*) { d_->geometry.resize(size()); }
+void SliceView::resizeEvent(QResizeEvent*) {
+  d_->geometry.resize(size());
+  tellHoverAgain();
+}
 
 // --- events go to the interaction; what it does not want goes to the parent ---
 
@@ -381,7 +389,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   d_->pointer = event->position();
   if (d_->interaction.move(*event) || d_->state.brush().isOn()) update();
   setCursor(d_->interaction.cursorAt(event->position()));
-  tellHover(event->position());
+  tellHoverAgain();
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
@@ -399,8 +407,9 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
 void SliceView::wheelEvent(QWheelEvent* event) {
   if (!d_->document.hasVolume() || !d_->interaction.wheel(*event)) return QWidget::wheelEvent(event);
   event->accept();
+  d_->pointer = event->position();
   update();
-  tellHover(event->position());
+  tellHoverAgain();
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
@@ -419,6 +428,15 @@ void SliceView::leaveEvent(QEvent*) {
 void SliceView::focusInEvent(QFocusEvent*) { update(); }
 void SliceView::focusOutEvent(QFocusEvent*) { update(); }
 
+//! What lies there may have changed under a mouse that rests.
+void SliceView::tellHoverAgain() {
+  if (!d_->pointer) return;
+  if (d_->document.hasVolume())
+    tellHover(*d_->pointer);
+  else
+    Q_EMIT left();
+}
+
 void SliceView::tellHover(const QPointF& pixel) {
   const Volume& volume = d_->document.volume();
   const Vec3 index = d_->geometry.toIndex(pixel);
@@ -426,10 +444,12 @@ void SliceView::tellHover(const QPointF& pixel) {
     Q_EMIT left();
     return;
   }
-  const Vec3 voxel = d_->geometry.clamped(index);
   std::size_t at = 0;
-  for (int a = 2; a >= 0; --a)
-    at = at * static_cast<std::size_t>(volume.grid.size[a]) + static_cast<std::size_t>(std::lround(voxel[a]));
+  for (int a = 2; a >= 0; --a) {
+    // By the volume's own size: of one that was just opened the geometry may not know yet.
+    const long voxel = std::clamp(std::lround(index[a]), 0L, volume.grid.size[a] - 1L);
+    at = at * static_cast<std::size_t>(volume.grid.size[a]) + static_cast<std::size_t>(voxel);
+  }
   const double intensity =
       visitVoxels(volume, [&](const auto* voxels) { return static_cast<double>(voxels[at]); });
   Q_EMIT hovered(volume.grid.toWorld(index), index, intensity);

@@ -54,6 +54,7 @@ class SliceView : public QWidget {
  private:
   void startVolume();
   void followCrosshair();
+  void tellHoverAgain();
   void tellHover(const QPointF& pixel);
 
   struct Private;

@@ -425,6 +425,22 @@ TEST_CASE("what several segments hold is left to the smallest, and told", "[obje
   }
 }
 
+TEST_CASE("why what was opened has no surface is told once, as soon as it is known", "[objects][opened]") {
+  OpeningWork work;
+  QStringList told;
+  QObject::connect(&work.document, &Document::refused, [&](const QString& sentence) { told << sentence; });
+  REQUIRE(work.open(work.ball(), OpenAs::done));
+  REQUIRE(waitFor([&] { return work.isShown(0); }));
+  CHECK(told.isEmpty());
+  const OpenAs as = GENERATE(OpenAs::done, OpenAs::start);
+  REQUIRE(work.open(work.ball(2.5), as));
+  REQUIRE(waitFor([&] { return !told.isEmpty(); }));
+  CHECK(told.front().contains(QLatin1String("meets the object")));
+  for (int index = 0; index < work.document.objectCount(); ++index) work.document.setActiveObject(index);
+  CHECK(told.size() == 1);
+  CHECK(work.isShown(0));
+}
+
 TEST_CASE("the labels of a map are listed with what its file says of them", "[objects][opened]") {
   const TorusFile torus;
   const std::atomic<bool> goesOn{false}, cancelled{true};

@@ -117,6 +117,11 @@ void setVolume(Document& document, const Volume& volume) {
   Q_EMIT document.opened();
 }
 
+void setFrame(Document& document, const Volume& volume) {
+  states().at(&document)->volume = volume;
+  Q_EMIT document.frameShown();
+}
+
 void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& faceStates,
                  const SurfaceSupport& support, bool certified) {
   auto snapshot = std::make_shared<MeshSnapshot>();

@@ -1,9 +1,12 @@
 // The slice as a person meets it: real events in, pictures out.
 
+#include <QLocale>
+#include <QPainter>
 #include <QSignalSpy>
 #include <cmath>
 
 #include "tests/ui/view/slice_support.h"
+#include "ui/view/overlay.h"
 
 using namespace handlebody;
 using namespace handlebody::ui;
@@ -119,6 +122,61 @@ TEST_CASE("Beside the volume the mouse is over nothing", "[slice_view]") {
   QMouseEvent move(QEvent::MouseMove, corner, slice.view.mapToGlobal(corner), Qt::NoButton, Qt::NoButton, {});
   QCoreApplication::sendEvent(&slice.view, &move);
   CHECK_FALSE(slice.hovered.has_value());
+}
+
+TEST_CASE("Whatever changes what lies under a mouse that rests tells it anew", "[slice_view]") {
+  OneSlice slice;
+  slice.state.setCrosshair(slice.world(32, 32, 39));
+  const QPointF place = slice.geometry.toScreen(Vec3(50, 10, 39));
+  const Vec3 before = slice.under(place);
+  CHECK(slice.intensity == 100);
+  SECTION("keys") {
+    QTest::keyClick(&slice.view, Qt::Key_PageUp);
+    CHECK((*slice.hovered - before - Vec3(0, 0, 1)).norm() < 1e-9);
+    CHECK(slice.intensity == 200);
+  }
+  SECTION("the crosshair") {
+    slice.state.setCrosshair(slice.world(32, 32, 45));
+    CHECK((*slice.hovered - before - Vec3(0, 0, 6)).norm() < 1e-9);
+    CHECK(slice.intensity == 200);
+  }
+  SECTION("another time point, and another volume") {
+    const Grid grid = slice.volume.grid;
+    setFrame(slice.document, handlebody::testing::volumeByIndex(grid, [](int, int, int) { return 7; }));
+    CHECK(slice.intensity == 7);
+    const Grid small = handlebody::testing::cubicGrid(8);
+    setVolume(slice.document, handlebody::testing::volumeByIndex(small, [](int, int, int) { return 9; }));
+    CHECK((!slice.hovered || slice.intensity == 9));
+  }
+  SECTION("the zoom, which goes back") {
+    turnWheel(slice.view, {0, 0}, 3, Qt::ControlModifier);
+    (void)slice.under(place);
+    slice.view.resetZoom();
+    CHECK((*slice.hovered - before).norm() < 1e-9);
+  }
+  SECTION("but not where the mouse has left") {
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&slice.view, &leave);
+    QTest::keyClick(&slice.view, Qt::Key_PageUp);
+    CHECK_FALSE(slice.hovered.has_value());
+  }
+}
+
+TEST_CASE("The scale bar is written as numbers are in the user's language", "[slice_view]") {
+  const QLocale before;
+  const auto barIn = [](QLocale::Language language, double mmPerPixel) {
+    QLocale::setDefault(language);
+    QImage image(kWidth, kHeight, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    paintScaleBar(painter, QSizeF(kWidth, kHeight), mmPerPixel);
+    painter.end();
+    return image;
+  };
+  for (double mmPerPixel : {0.0006, 600.0})  // 0.05 mm, 50,000 mm
+    CHECK(largestDifference(barIn(QLocale::English, mmPerPixel), barIn(QLocale::German, mmPerPixel)) > 60);
+  CHECK(largestDifference(barIn(QLocale::English, 0.06), barIn(QLocale::German, 0.06)) <= 1);  // 5 mm
+  QLocale::setDefault(before);
 }
 
 TEST_CASE("A crosshair that is dragged out of the volume stays at its border", "[slice_view]") {

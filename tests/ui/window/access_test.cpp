@@ -154,6 +154,7 @@ class AccessTest : public QObject {
   void everyLetterOpensOneEntryOfItsMenu();
   void whatIsAskedWhileNothingIsOpenIsReachedAndNamed();
   void anEventAndAnIterationAreChosenByKeys();
+  void keysChooseInAListThatDropsDown();
   void itIsSeenThatTheTimelineHasTheFocus();
   void keysScrollTheGuideAtOnceAndEscapeClosesIt();
   void everyKeyIsOnThePageOfKeysAndInTheTip();
@@ -287,6 +288,34 @@ void AccessTest::anEventAndAnIterationAreChosenByKeys() {
   table->setCurrentIndex(table->model()->index(0, 0));
   QTest::keyClick(table, Qt::Key_Return);
   QVERIFY(QTest::qWaitFor([&] { return document.iteration() == event; }, kPatience));
+}
+
+//! Return adds a seed and Space grows where no list is open.
+void AccessTest::keysChooseInAListThatDropsDown() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")) && activate(*window));
+  window->showStep(Command::stepGrow);
+  QComboBox* rule = nullptr;
+  const auto boxes = window->findChildren<QComboBox*>();
+  for (QComboBox* box : boxes)
+    if (box->accessibleName() == "Topology") rule = box;
+  QVERIFY(rule && rule->isVisible() && rule->isEnabled() && rule->count() > 1);
+  const ui::Document& document = window->document();
+  const std::size_t seeds = document.seeds().size();
+  for (Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
+    const int before = rule->currentIndex();
+    rule->setFocus();
+    QTest::keyClick(rule, Qt::Key_Space);
+    QTRY_VERIFY(rule->view()->isVisible());
+    QTest::keyClick(rule->view(), before == 0 ? Qt::Key_Down : Qt::Key_Up);
+    QTest::keyClick(rule->view(), Qt::Key_Space);  // chooses nothing in this style, and starts nothing
+    QVERIFY(rule->view()->isVisible());
+    QTest::keyClick(rule->view(), key);
+    QTRY_VERIFY(!rule->view()->isVisible());
+    QCOMPARE(rule->currentIndex(), before == 0 ? 1 : before - 1);
+  }
+  QCOMPARE(document.seeds().size(), seeds);
+  QVERIFY(document.state() == GrowthState::none || document.state() == GrowthState::finished);
 }
 
 void AccessTest::itIsSeenThatTheTimelineHasTheFocus() {

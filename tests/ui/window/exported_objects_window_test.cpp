@@ -77,6 +77,7 @@ class ExportedObjectsWindowTest : public QObject {
   void eachIsExportedAlone();
   void whatIsThereIsAskedAbout();
   void whatIsBetteredIsChosenAndTold();
+  void aNameIsProposedThatTheDialogTakesAsOne();
 };
 
 void ExportedObjectsWindowTest::allAreExportedTogether() {
@@ -187,6 +188,25 @@ void ExportedObjectsWindowTest::whatIsBetteredIsChosenAndTold() {
   QVERIFY(!exported.isEmpty() || exported.wait(kPatience));
   QCOMPARE(polished.size(), 1);
   QVERIFY(shownText(*window, "What was bettered").contains("Polished"));
+}
+
+//! The dialog takes double quotes for the ends of names.
+void ExportedObjectsWindowTest::aNameIsProposedThatTheDialogTakesAsOne() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("vol \"b\".nii.gz");
+  QVERIFY(QFile::rename(writeBalls(folder), path));
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, path));
+  QSignalSpy saved(&window->document(), &ui::Document::sessionSaved);
+  QTimer timer;
+  connect(&timer, &QTimer::timeout, [] {
+    if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) dialog->accept();
+  });
+  timer.start(200);
+  window->files().saveAs();
+  QVERIFY(!saved.isEmpty() || saved.wait(kPatience));
+  QCOMPARE(saved.first().first().toString(), folder.filePath("vol b_session.json"));
+  QVERIFY(QFile::exists(folder.filePath("vol b_session.json")));
 }
 
 int main(int argc, char** argv) {

@@ -143,6 +143,8 @@ void ObjectsWindowTest::propertiesAreChangedInADialog() {
   name->setText("Object");  // the other one's
   QTest::keyClick(name, Qt::Key_Return);
   QVERIFY(dialog->isVisible());
+  const QLabel* fault = called<QLabel>(*dialog, "What is wrong");
+  QVERIFY(fault && fault->isVisible() && fault->textFormat() == Qt::PlainText);
   auto* term = dialog->findChild<QComboBox*>();
   term->setCurrentIndex(term->findData("liver"));
   QVERIFY(term->currentIndex() >= 0);

@@ -92,6 +92,7 @@ class OpenedObjectsWindowTest : public QObject {
   void ofALabelMapWhatIsCheckedIsOpened();
   void howLabelsBecomeSurfacesIsChosen();
   void thatSegmentsOverlapIsTold();
+  void thatOneMeetsAnotherIsTold();
   void whatIsCancelledOpensNothing();
   void whatIsNoLabelMapIsToldAndAsksNothing();
 };
@@ -261,6 +262,22 @@ void OpenedObjectsWindowTest::thatSegmentsOverlapIsTold() {
   QTRY_VERIFY(shownText(*window, "Doubts about the surface").contains("overlap"));
   document.setActiveObject(1);
   QVERIFY(!shownText(*window, "Doubts about the surface").contains("overlap"));
+}
+
+void OpenedObjectsWindowTest::thatOneMeetsAnotherIsTold() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  const QString path = folder.filePath("lesion.stl");
+  writeMesh(icosphere(kRight, 4, 1.2), path.toStdString());
+  window->files().openObjects(path);
+  QVERIFY(answer(*window, "Done"));
+  QVERIFY(QTest::qWaitFor([&] { return window->document().objectInfo(0).snapshot != nullptr; }, kPatience));
+  QVERIFY(!window->messages().text().contains("meets"));
+  window->files().openObjects(path);
+  QVERIFY(answer(*window, "Done"));
+  QTRY_VERIFY_WITH_TIMEOUT(window->messages().text().contains("meets"), kPatience);
+  QVERIFY(window->messages().isVisible());
 }
 
 void OpenedObjectsWindowTest::whatIsCancelledOpensNothing() {

@@ -14,6 +14,8 @@
 #include "ui/window/seed/object_choice.h"
 #include "ui/window/steps_panel.h"
 #include "ui/window/timeline/event_inspector.h"
+#include "ui/window/timeline/timeline_plot.h"
+#include "ui/window/widgets/numbers.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -63,6 +65,7 @@ class PanelTest : public QObject {
   void theObjectThatIsTakenAndTheWaysFromItAreSaidWithTheirVolumes();
   void withoutAChoiceNothingJumps();
   void bracketsStepThroughTheObjectsBySize();
+  void thePlotsLegendIsNotWrittenOverItself();
 };
 
 void PanelTest::warningsAreShownOfASurfaceAtRestAndOnlyThen() {
@@ -360,6 +363,29 @@ void PanelTest::bracketsStepThroughTheObjectsBySize() {
   QVERIFY(QTest::qWaitFor([&] { return document.resolved().has_value(); }, kPatience));
   QCOMPARE(place(), 1);
   QVERIFY(!smaller->isEnabled() && larger->isEnabled());
+}
+
+void PanelTest::thePlotsLegendIsNotWrittenOverItself() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  QTest::keyClick(window.get(), Qt::Key_Period);
+  QVERIFY(QTest::qWaitFor([&] { return window->document().iteration() == 1; }, kPatience));
+  double most = 0;
+  for (const ui::IterationSummary& s : window->document().summaries()) most = std::max(most, s.volume);
+  ui::TimelinePlot plot(window->document());
+  const QString first = ui::TimelinePlot::tr("Volume, up to %1").arg(ui::millilitres(most));
+  const int end = ui::TimelineAxis::kMargin + 18 + plot.fontMetrics().horizontalAdvance(first);
+  //! Where the colour of the second entry begins; the width if it is left out.
+  const auto second = [&](int width) {
+    plot.resize(width, 110);
+    const QImage image = plot.grab().toImage();
+    int x = 0;
+    while (x < image.width() && image.pixelColor(x, 9) != QColor(0xE0, 0x8A, 0x1E)) ++x;
+    return x;
+  };
+  QVERIFY(second(800) > 400 && second(800) < 800);
+  for (int width = 160; width < 400; width += 10)
+    QVERIFY2(second(width) >= std::min(width, end), qPrintable(first));
 }
 
 int main(int argc, char** argv) {

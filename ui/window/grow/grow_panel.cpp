@@ -148,6 +148,7 @@ GrowPanel::GrowPanel(Document& document, SurfaceView& surface, const Commands& c
   error_ = notice(tr("Why it did not grow"), this);
   layout->addWidget(error_);
   warnings_ = notice(tr("Doubts about the surface"), this);
+  warnings_->setTextFormat(Qt::RichText);
   layout->addWidget(warnings_);
   layout->addWidget(buildNumbers());
   inspector_ = new EventInspector(document_, surface, this);

@@ -343,7 +343,9 @@ void FileWork::saveAs() {
 QString FileWork::suggestedBase(bool mayTell) const {
   const QString folder = QSettings().value(kFolder, QDir::homePath()).toString();
   const bool isNamed = mayTell && document_.hasVolume() && !exports_.isAnonymous();
-  return QDir(folder).filePath(isNamed ? baseName(document_.path()) : QStringLiteral("handlebody"));
+  QString name = isNamed ? baseName(document_.path()) : QString();
+  name.remove(QLatin1Char('"'));  // which separate names in the dialog
+  return QDir(folder).filePath(name.isEmpty() ? QStringLiteral("handlebody") : name);
 }
 
 //! The dialog would ask about the name as it is typed, without its ending, and of one file only.

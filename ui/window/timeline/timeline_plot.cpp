@@ -19,6 +19,8 @@ const QColor kVolume(0x3B, 0x82, 0xC4), kMoving(0xE0, 0x8A, 0x1E), kLeak(0xC8, 0
     kChange(0x9B, 0x59, 0xD0);
 constexpr double kTop = 18;  // pixels for the legend
 constexpr double kMark = 5;  // pixels, half of the width of a mark
+constexpr int kKey = 20;     // pixels that an entry of the legend takes besides its text
+constexpr int kApart = 12;   // pixels between two entries
 
 double mostVolume(const std::vector<IterationSummary>& summaries) {
   double most = 0;
@@ -101,18 +103,26 @@ void TimelinePlot::paintChanges(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
 }
 
+//! Side by side; where it is narrow the second gives way.
 void TimelinePlot::paintLegend(QPainter& painter, double most) const {
-  const QRectF line(TimelineAxis::kMargin, 0, width() - 2 * TimelineAxis::kMargin, kTop);
-  const auto entry = [&](const QString& text, const QColor& colour, Qt::Alignment side) {
-    const double width = painter.fontMetrics().horizontalAdvance(text) + 20;
-    const double x = side == Qt::AlignLeft ? line.left() : line.right() - width;
+  const int room = width() - 2 * TimelineAxis::kMargin;
+  const QFontMetrics metrics = painter.fontMetrics();
+  const auto elided = [&](const QString& text, int widest) {
+    return metrics.elidedText(text, Qt::ElideRight, std::max(0, widest));
+  };
+  const auto entry = [&](const QString& text, const QColor& colour, int x) {
     painter.setPen(QPen(colour, 3));
     painter.drawLine(QPointF(x, kTop / 2), QPointF(x + 12, kTop / 2));
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRectF(x + 18, 0, width, kTop), Qt::AlignLeft | Qt::AlignVCenter, text);
+    painter.drawText(QRectF(x + 18, 0, room, kTop), Qt::AlignLeft | Qt::AlignVCenter, text);
   };
-  entry(tr("Volume, up to %1").arg(millilitres(most)), kVolume, Qt::AlignLeft);
-  entry(tr("Moving, 0 to 100 %"), kMoving, Qt::AlignRight);
+  const QString volume = elided(tr("Volume, up to %1").arg(millilitres(most)), room - kKey);
+  entry(volume, kVolume, TimelineAxis::kMargin);
+  const int left = room - metrics.horizontalAdvance(volume) - 2 * kKey - kApart;
+  const QString moving = elided(tr("Moving, 0 to 100 %"), left);
+  constexpr int kFewest = 5;  // letters; fewer say nothing, and the tip has it
+  if (moving.size() >= kFewest)
+    entry(moving, kMoving, width() - TimelineAxis::kMargin - kKey - metrics.horizontalAdvance(moving));
 }
 
 void TimelinePlot::paintEvent(QPaintEvent*) {

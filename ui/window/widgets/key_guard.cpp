@@ -20,6 +20,13 @@ bool wants(const QObject* control, int key) {
   return false;
 }
 
+//! Qt takes a choice in a combo box's list when it asks whose key it is, in a filter that runs after this
+//! one: the key is the list's, and goes on to it.
+bool isChoiceInPopup(const QObject* control, int key) {
+  const auto* list = qobject_cast<const QAbstractItemView*>(control);
+  return list && list->window()->windowType() == Qt::Popup && key != Qt::Key_Space;
+}
+
 }  // namespace
 
 bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
@@ -27,7 +34,7 @@ bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
   const auto* key = static_cast<QKeyEvent*>(event);
   if (key->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !wants(watched, key->key())) return false;
   event->accept();
-  return true;
+  return !isChoiceInPopup(watched, key->key());
 }
 
 }  // namespace handlebody::ui

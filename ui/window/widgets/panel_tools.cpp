@@ -68,6 +68,7 @@ QLabel* value(const QString& name, QWidget* parent) {
 
 QLabel* notice(const QString& name, QWidget* parent) {
   QLabel* label = value(name, parent);
+  label->setTextFormat(Qt::PlainText);  // an object may be called "<b>1</b>"
   label->setMargin(6);
   label->setAutoFillBackground(true);
   label->setBackgroundRole(QPalette::ToolTipBase);
