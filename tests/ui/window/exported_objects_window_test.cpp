@@ -197,6 +197,7 @@ void ExportedObjectsWindowTest::aNameIsProposedThatTheDialogTakesAsOne() {
   QVERIFY(QFile::rename(writeBalls(folder), path));
   auto window = shownWindow();
   QVERIFY(window && open(*window, path));
+  window->document().addSeed({kLeft, {}});  // a session without one is not written
   QSignalSpy saved(&window->document(), &ui::Document::sessionSaved);
   QTimer timer;
   connect(&timer, &QTimer::timeout, [] {
