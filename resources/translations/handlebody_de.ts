@@ -4617,6 +4617,14 @@ Mittel ± SA</translation>
         <source>%1 more</source>
         <translation>%1 weitere</translation>
     </message>
+    <message>
+        <source>A file is being written. The window closes when it is done.</source>
+        <translation>Eine Datei wird gerade geschrieben. Das Fenster schließt sich, wenn sie fertig ist.</translation>
+    </message>
+    <message>
+        <source>Stay open</source>
+        <translation>Offen bleiben</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>

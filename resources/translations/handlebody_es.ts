@@ -4617,6 +4617,14 @@ cercano (mm)</translation>
         <source>%1 more</source>
         <translation>%1 más</translation>
     </message>
+    <message>
+        <source>A file is being written. The window closes when it is done.</source>
+        <translation>Se está escribiendo un archivo. La ventana se cerrará cuando esté listo.</translation>
+    </message>
+    <message>
+        <source>Stay open</source>
+        <translation>Seguir abierta</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>

@@ -4617,6 +4617,14 @@ proche (mm)</translation>
         <source>%1 more</source>
         <translation>%1 de plus</translation>
     </message>
+    <message>
+        <source>A file is being written. The window closes when it is done.</source>
+        <translation>Un fichier est en cours d’écriture. La fenêtre se fermera quand il sera terminé.</translation>
+    </message>
+    <message>
+        <source>Stay open</source>
+        <translation>Rester ouverte</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>

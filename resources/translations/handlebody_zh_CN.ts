@@ -4617,6 +4617,14 @@ mean ± SD</source>
         <source>%1 more</source>
         <translation>另外 %1 个</translation>
     </message>
+    <message>
+        <source>A file is being written. The window closes when it is done.</source>
+        <translation>正在写入文件。完成后窗口将关闭。</translation>
+    </message>
+    <message>
+        <source>Stay open</source>
+        <translation>保持打开</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>

@@ -76,6 +76,7 @@ class ExportedObjectsWindowTest : public QObject {
   void allAreExportedTogether();
   void eachIsExportedAlone();
   void whatIsThereIsAskedAbout();
+  void theWindowClosesWhenAFileIsWritten();
   void whatIsBetteredIsChosenAndTold();
   void aNameIsProposedThatTheDialogTakesAsOne();
 };
@@ -124,6 +125,29 @@ void ExportedObjectsWindowTest::eachIsExportedAlone() {
                          second = valuesOf(paths[1]);
   QVERIFY(std::count(first.begin(), first.end(), 1) > 0 && std::count(second.begin(), second.end(), 2) > 0);
   for (std::size_t i = 0; i < all.size(); ++i) QCOMPARE(all[i], first[i] + second[i]);
+}
+
+void ExportedObjectsWindowTest::theWindowClosesWhenAFileIsWritten() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  QVERIFY(growTwo(*window));
+  ui::Document& document = window->document();
+  QSignalSpy saved(&document, &ui::Document::sessionSaved);
+  document.saveSession(folder.filePath("s.json"));  // so that nothing is asked
+  QVERIFY(!saved.isEmpty() || saved.wait(kPatience));
+  QSignalSpy exported(&document, &ui::Document::exported), failed(&document, &ui::Document::exportFailed);
+  document.exportResult(folder.filePath("missing/ball.stl"), CoordinateSpace::lps);
+  QVERIFY(!window->close());
+  QVERIFY(!failed.isEmpty() || failed.wait(kPatience));
+  QTest::qWait(100);
+  QVERIFY(window->isVisible());  // with what went wrong
+  document.exportResult(folder.filePath("ball.stl"), CoordinateSpace::lps);
+  QVERIFY(!window->close());
+  QVERIFY(window->isVisible() && window->messages().text().contains("is being written"));
+  QVERIFY(QTest::qWaitFor([&] { return !window->isVisible(); }, kPatience));
+  QCOMPARE(exported.size(), 1);
+  QVERIFY(QFileInfo::exists(folder.filePath("ball.stl")));
 }
 
 //! The ending that a typed name lacks is added: a file of the whole name is asked about all the same. One of

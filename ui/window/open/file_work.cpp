@@ -110,17 +110,25 @@ void FileWork::connectMessages() {
   connect(&document_, &Document::fileNeeded, this, &FileWork::askForFile);
   connect(&document_, &Document::opening, this, [this](const QString& path) { reading_ = path; });
   connect(&document_, &Document::opened, this, &FileWork::keepTrack);
-  connect(&document_, &Document::exportFailed, this, failed);
+  connect(&document_, &Document::exportFailed, this, [this, failed](const QString& text) {
+    failed(text);
+    afterWriting(false);
+  });
   connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
     next_ = nullptr;
     failed(text);
   });
-  connect(&document_, &Document::exporting, this, [this] { polished_.clear(); });
+  connect(&document_, &Document::exporting, this, [this] {
+    polished_.clear();
+    ++writing_;
+  });
   connect(&document_, &Document::polished, this, [this](const QString& text) { polished_ = text; });
   connect(&document_, &Document::exported, this, [this, said](const QString& path) {
     const QString written = tr("%1 is written.").arg(path);
     said(polished_.isEmpty() ? written : written + QLatin1Char(' ') + polished_);
+    afterWriting(true);
   });
+  connect(&document_, &Document::exportCancelled, this, [this] { afterWriting(true); });
   connect(&document_, &Document::sessionSaved, this, [this, said](const QString& path) {
     const QStringList anew = document_.notReplayed();
     said(tr("The session is saved as %1.").arg(path) +
@@ -310,12 +318,33 @@ void FileWork::whenSaved(std::function<void()> next) {
   }
 }
 
+void FileWork::closeWindow() { QMetaObject::invokeMethod(window_, &QWidget::close, Qt::QueuedConnection); }
+
+//! The window stays where a file could not be written: else nobody would read why.
+void FileWork::afterWriting(bool isWell) {
+  writing_ = std::max(0, writing_ - 1);
+  if (!isWell) closesWhenWritten_ = false;
+  if (closesWhenWritten_ && writing_ == 0) closeWindow();
+}
+
+//! What is written ends first, well or not.
+void FileWork::closeWhenWritten() {
+  closesWhenWritten_ = true;
+  messages_.show(MessageBar::Kind::information,
+                 tr("A file is being written. The window closes when it is done."),
+                 {{tr("Stay open"), [this] { closesWhenWritten_ = false; }}});
+}
+
 // The answer "save" ends in another close() when the session is written; by then nothing is unsaved.
 bool FileWork::mayClose() {
+  if (writing_ > 0) {
+    closeWhenWritten();
+    return false;
+  }
   if (closing_ || !document_.hasVolume() || !document_.isModified()) return true;
   whenSaved([this] {
     closing_ = true;
-    QMetaObject::invokeMethod(window_, &QWidget::close, Qt::QueuedConnection);
+    closeWindow();
   });
   return false;
 }

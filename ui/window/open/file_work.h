@@ -50,8 +50,8 @@ class FileWork : public QObject {
   void saveText(const QString& title, const QString& what, const QString& extension, const std::string& text);
   //! The same of a file that `write` makes on a worker thread. It may throw: why is told.
   void saveFile(const QString& title, const QString& what, const QString& extension, const FileWriter& write);
-  //! True if the window may close now. Else it asks about unsaved work, and closes the window when the answer
-  //! is carried out.
+  //! True if the window may close now. Else a file is being written, after which it closes, or it asks about
+  //! unsaved work, and closes the window when the answer is carried out.
   bool mayClose();
   //! Offers work that a crash left behind.
   void offerRecovery();
@@ -71,6 +71,9 @@ class FileWork : public QObject {
   void whenSaved(std::function<void()> next);
   void afterSaved();
   void keepTrack();
+  void closeWindow();
+  void closeWhenWritten();
+  void afterWriting(bool isWell);
   void recover(const QString& journal);
   //! What is written under a name that was chosen, e.g. a file for each object.
   using FilesOf = std::function<QStringList(const QString& path)>;
@@ -109,6 +112,8 @@ class FileWork : public QObject {
   QString remembered_;              //!< stands among the recent ones once it is open; empty: does not
   QString reading_;                 //!< what the document reads, or has read last
   QString restored_;                //!< the journal that was to be restored last
+  int writing_ = 0;                 //!< files, or sets of them, that are not there yet
+  bool closesWhenWritten_ = false;
   bool closing_ = false;
 };
 
