@@ -44,42 +44,24 @@ void checkFolder(const OutputFile& file, const fs::path& folder) {
 
 fs::path identity(const std::string& path) { return fs::weakly_canonical(fs::absolute(path)); }
 
-//! What is read of a volume must not be written: also the voxels of a detached header, and the folder, all of
-//! whose files belong to it.
-class Inputs {
- public:
-  explicit Inputs(const std::vector<std::string>& paths) {
-    for (const std::string& path : paths) {
-      if (fs::is_directory(path))
-        folders_.push_back(identity(path));
-      else
-        for (const std::string& file : filesOfVolume(path)) files_.push_back(identity(file));
-    }
-  }
-  void requireFree(const OutputFile& file, const fs::path& path) const {
-    const auto isAmong = [](const std::vector<fs::path>& all, const fs::path& one) {
-      return std::find(all.begin(), all.end(), one) != all.end();
-    };
-    if (isAmong(files_, path)) refuse(file, "it is the input");
-    if (isAmong(folders_, path.parent_path()))
-      refuse(file, "it would lie in the folder of the input, all of whose files belong to the volume");
-  }
-
- private:
-  std::vector<fs::path> files_, folders_;
-};
+//! What is read of a volume must not be written.
+void requireFree(const OutputFile& file, const std::string& input) {
+  if (!belongsToVolume(file.path, input)) return;
+  refuse(file, fs::is_directory(input)
+                   ? "it would lie in the folder of the input, all of whose files belong to the volume"
+                   : "it is the input");
+}
 
 }  // namespace
 
 void checkWritable(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) try {
   std::vector<fs::path> seen;
-  const Inputs read(inputs);
   for (const OutputFile& file : files) {
     if (file.path.empty()) throw UsageError(file.option + " needs a file name.");
     const fs::path path = identity(file.path);
     if (fs::is_directory(path)) refuse(file, "it is a folder");
     if (fs::exists(path) && !fs::is_regular_file(path)) refuse(file, "it is not a regular file");
-    read.requireFree(file, path);
+    for (const std::string& input : inputs) requireFree(file, input);
     if (std::find(seen.begin(), seen.end(), path) != seen.end()) refuse(file, "it is named twice");
     checkFolder(file, path.parent_path());
     seen.push_back(path);

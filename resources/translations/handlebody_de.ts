@@ -4009,6 +4009,10 @@ Mittel ± SA</translation>
         <source>Object</source>
         <translation>Objekt</translation>
     </message>
+    <message>
+        <source>%1 cannot be written: it would be a part of the volume that is open. Choose another folder or name.</source>
+        <translation>%1 kann nicht geschrieben werden: es wäre ein Teil des geöffneten Volumens. Wählen Sie einen anderen Ordner oder Namen.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

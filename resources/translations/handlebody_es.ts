@@ -4009,6 +4009,10 @@ cercano (mm)</translation>
         <source>Object</source>
         <translation>Objeto</translation>
     </message>
+    <message>
+        <source>%1 cannot be written: it would be a part of the volume that is open. Choose another folder or name.</source>
+        <translation>No se puede escribir %1: sería parte del volumen abierto. Elija otra carpeta u otro nombre.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

@@ -4009,6 +4009,10 @@ proche (mm)</translation>
         <source>Object</source>
         <translation>Objet</translation>
     </message>
+    <message>
+        <source>%1 cannot be written: it would be a part of the volume that is open. Choose another folder or name.</source>
+        <translation>%1 ne peut pas être écrit : il ferait partie du volume ouvert. Choisissez un autre dossier ou un autre nom.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

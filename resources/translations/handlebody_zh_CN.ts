@@ -4009,6 +4009,10 @@ mean ± SD</source>
         <source>Object</source>
         <translation>目标</translation>
     </message>
+    <message>
+        <source>%1 cannot be written: it would be a part of the volume that is open. Choose another folder or name.</source>
+        <translation>无法写入 %1：它会成为已打开体数据的一部分。请选择其他文件夹或名称。</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

@@ -462,3 +462,14 @@ TEST_CASE("bytes that are not JSON are an input error", "[session]") {
   CHECK_THROWS_AS(readSession(folder / "missing.json"), InputError);
   CHECK_THROWS_AS(readSession(folder.path()), InputError);
 }
+
+TEST_CASE("a constraint that is not known is refused by its name, not dropped", "[session]") {
+  const TempFolder folder;
+  auto json = validJson();
+  auto& constraints = json["requested"]["constraints"];
+  constraints["wals"] = constraints["walls"];
+  constraints.erase("walls");
+  test::writeBytes(folder / "s.json", json.dump());
+  CHECK_THROWS_WITH(readSession(folder / "s.json", {}),
+                    Catch::Matchers::Contains("s.json") && Catch::Matchers::Contains("'wals'"));
+}

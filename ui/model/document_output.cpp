@@ -11,6 +11,7 @@
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/formats/volume_files.h"
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/object_paths.h"
 #include "core/io/report/result.h"
@@ -238,7 +239,19 @@ std::vector<WrittenObject> Document::Private::writtenObjects(const std::vector<i
   return all;
 }
 
+//! Why a file may not be written there: it would change the volume that is open. Empty: it may.
+QString Document::Private::inputFault(const QString& path) const {
+  if (!belongsToVolume(fileName(path), work->reference.path)) return {};
+  return tr("%1 cannot be written: it would be a part of the volume that is open. Choose another folder or "
+            "name.")
+      .arg(path);
+}
+
 void Document::Private::write(const QString& path, std::function<QString()> job) {
+  if (const QString fault = inputFault(path); !fault.isEmpty()) {
+    Q_EMIT q.exportFailed(fault);
+    return;
+  }
   files.post([this, path, stop = exporting.begin(), job = std::move(job)] {
     bool gaveUp = false;
     QString told;
@@ -419,6 +432,10 @@ void Document::Private::exportAnonymousSession(const QString& path) {
 }
 
 void Document::Private::saveSession(const QString& path) {
+  if (const QString fault = inputFault(path); !fault.isEmpty()) {
+    Q_EMIT q.saveFailed(fault);
+    return;
+  }
   std::vector<int> iterations;
   for (const auto& object : objects) iterations.push_back(object->growth().iteration());
   files.post([this, path, made = sessions(), known = hash, edit = undo.index(), iterations,

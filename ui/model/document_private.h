@@ -130,6 +130,7 @@ class Document::Private : public ObjectHost {
   //! Tells on the GUI thread what is being polished.
   std::function<void(const std::string&)> polishing();
   //! On the files' thread: has `job` done until it is cancelled, and tells how it ended.
+  QString inputFault(const QString& path) const;
   void write(const QString& path, std::function<QString()> job);
   using WriteObjects = std::function<void(const std::vector<ExportedObject>&, const ExportContext&)>;
   //! `told`: the path that signals name.

@@ -30,6 +30,7 @@ namespace {
 
 constexpr int kLayoutVersion = 1;
 const QSize kUsualSize(1440, 900);
+const QSize kFrame(12, 44);  // pixels that a frame takes, of which nothing is known until it is there
 const QString kNoticeShown = QStringLiteral("noticeShown"), kGeometry = QStringLiteral("geometry"),
               kDocks = QStringLiteral("docks"), kViews = QStringLiteral("views"),
               kAppearance = QStringLiteral("appearance");
@@ -79,7 +80,7 @@ std::optional<StandingCamera> cameraIn(const QJsonObject& camera) {
 void MainWindow::restoreSettings() {
   const QSettings settings;
   const QSize screen = QGuiApplication::primaryScreen()->availableSize();
-  resize(kUsualSize.boundedTo(screen));
+  resize(kUsualSize.boundedTo(screen - kFrame));
   restoreGeometry(settings.value(kGeometry).toByteArray());
   if (!restoreState(settings.value(kDocks).toByteArray(), kLayoutVersion))
     resizeDocks({timelineDock_}, {170}, Qt::Vertical);

@@ -1,5 +1,6 @@
 #include "core/io/formats/volume_files.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 
@@ -33,6 +34,12 @@ std::vector<std::string> dataFilesOf(const std::string& path) {
   return {};
 }
 
+fs::path identity(const std::string& path) {
+  std::error_code failed;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
+  return failed ? fs::path(path) : whole;
+}
+
 }  // namespace
 
 std::vector<std::string> filesOfVolume(const std::string& path) {
@@ -44,6 +51,15 @@ std::vector<std::string> filesOfVolume(const std::string& path) {
   } catch (const std::exception&) {  // opening it will say why
   }
   return files;
+}
+
+bool belongsToVolume(const std::string& file, const std::string& path) {
+  const fs::path written = identity(file);
+  std::error_code failed;
+  if (fs::is_directory(path, failed)) return written.parent_path() == identity(path);
+  const std::vector<std::string> files = filesOfVolume(path);
+  return std::any_of(files.begin(), files.end(),
+                     [&](const std::string& f) { return identity(f) == written; });
 }
 
 }  // namespace handlebody

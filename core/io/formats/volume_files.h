@@ -12,4 +12,8 @@ namespace handlebody {
 //! throws.
 std::vector<std::string> filesOfVolume(const std::string& path);
 
+//! True if writing `file` would change the volume at `path`: it is one of filesOfVolume, or would be a new
+//! one in a folder. Never throws.
+bool belongsToVolume(const std::string& file, const std::string& path);
+
 }  // namespace handlebody

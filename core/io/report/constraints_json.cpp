@@ -1,7 +1,11 @@
 #include "core/io/report/constraints_json.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/errors.h"
 #include "core/evolution/edit_step.h"
+#include "core/io/shown.h"
 
 namespace handlebody {
 
@@ -156,8 +160,22 @@ Json constraintsToJson(const Constraints& c) {
   return json;
 }
 
+namespace {
+
+//! A constraint that is not known, or misspelt, would be dropped, and another surface grow without a word.
+void requireKnown(const Json& constraints) {
+  constexpr std::array kKnown{"walls",   "wall_discs", "wall_map", "vetoes", "components", "genus",
+                              "allowed", "asks",       "kept",     "pins",   "edits",      "start"};
+  for (const auto& [name, value] : constraints.items())
+    if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end())
+      throw UsageError("the constraints have '" + shown(name) + "', which this version does not know.");
+}
+
+}  // namespace
+
 Constraints constraintsFromJson(const Json& json) {
   if (!json.is_object()) throw UsageError("the constraints are not an object.");
+  requireKnown(json);
   Constraints c;
   if (json.contains("walls"))
     for (const Json& wall : json.at("walls")) c.walls.balls.push_back(ballFromJson(wall));

@@ -77,6 +77,7 @@ class ExportedObjectsWindowTest : public QObject {
   void eachIsExportedAlone();
   void whatIsThereIsAskedAbout();
   void theWindowClosesWhenAFileIsWritten();
+  void nothingIsWrittenIntoTheVolume();
   void whatIsBetteredIsChosenAndTold();
   void aNameIsProposedThatTheDialogTakesAsOne();
 };
@@ -148,6 +149,26 @@ void ExportedObjectsWindowTest::theWindowClosesWhenAFileIsWritten() {
   QVERIFY(QTest::qWaitFor([&] { return !window->isVisible(); }, kPatience));
   QCOMPARE(exported.size(), 1);
   QVERIFY(QFileInfo::exists(folder.filePath("ball.stl")));
+}
+
+void ExportedObjectsWindowTest::nothingIsWrittenIntoTheVolume() {
+  const QTemporaryDir folder;
+  const QString scan = folder.filePath("scan"), name = QFileInfo(writeBalls(folder)).fileName();
+  QVERIFY(QDir().mkdir(scan) && QFile::rename(folder.filePath(name), scan + "/" + name));
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, scan));
+  QVERIFY(growTwo(*window));
+  ui::Document& document = window->document();
+  QSignalSpy exported(&document, &ui::Document::exported), failed(&document, &ui::Document::exportFailed),
+      notSaved(&document, &ui::Document::saveFailed);
+  for (const QString& path : {scan + "/" + name, scan + "/new.nrrd"})
+    document.exportResult(path, CoordinateSpace::lps);
+  document.saveSession(scan + "/s.json");
+  QCOMPARE(failed.size(), 2);
+  QCOMPARE(notSaved.size(), 1);
+  QCOMPARE(QDir(scan).entryList(QDir::Files), QStringList{name});
+  document.exportResult(folder.filePath("new.nrrd"), CoordinateSpace::lps);
+  QVERIFY(!exported.isEmpty() || exported.wait(kPatience));
 }
 
 //! The ending that a typed name lacks is added: a file of the whole name is asked about all the same. One of
