@@ -145,8 +145,8 @@ void requireWithin(const Parameters& p, const Grid& grid) {
                        " mm is too large for a volume whose longest side is " + numberText(longest) +
                        " mm: at most " + numberText(most) + " mm.");
   };
-  require(p.smoothing, longest / 4, "smoothing (--smoothing)");
-  require(p.edgeLength, longest / 2, "edge length (--edge-length)");
+  require(p.smoothing, longest / 4, "smoothing");
+  require(p.edgeLength, longest / 2, "edge length");
 }
 
 }  // namespace

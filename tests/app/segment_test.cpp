@@ -498,7 +498,7 @@ TEST_CASE("an anonymous session replays with the volume named, and says so witho
   }
 }
 
-TEST_CASE("a smoothing or an edge that no surface of the volume could have is refused by its name", "[cli]") {
+TEST_CASE("a smoothing or an edge that no surface of the volume could have is refused by its word", "[cli]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);
   for (const auto& [option, value] :
@@ -509,7 +509,8 @@ TEST_CASE("a smoothing or an edge that no surface of the volume could have is re
     const Outcome outcome =
         runCli({"segment", phantom.path, "--seed", phantom.seed, option, value, "-o", folder / "m.stl"});
     CHECK(outcome.exitCode == 2);
-    CHECK_THAT(outcome.err, Contains(option) && Contains("at most"));
+    CHECK_THAT(outcome.err, Contains(option == "--smoothing" ? "The smoothing of" : "The edge length of") &&
+                                Contains("at most"));
   }
   CHECK(folder.names() == std::vector<std::string>{"sphere.mha"});
 }
