@@ -136,15 +136,18 @@ void requireOwnOrNew(const std::string& folder) {
     if (!isEmptyFolder(folder + "/" + part)) refuseFor(part);
 }
 
-//! What somebody has put beside the results of a case, which are made anew, is copied there.
+//! What somebody has put beside the results of a case, which are made anew, is copied there. Where the record
+//! is damaged that may be old results, too.
 void keepForeignFiles(const std::string& from, const std::string& to) {
   const Json record = readJson(from + "/" + kRecord);
-  if (!record.is_object()) return;
-  const Json files = record.value("files", Json::object());
+  const Json files = record.is_object() ? record.value("files", Json::object()) : Json::object();
   for (const auto& entry : fs::directory_iterator(from)) {
     const std::string name = entry.path().filename().string();
     if (name == kRecord || name == "log.txt" || files.contains(name) || fs::exists(to + "/" + name)) continue;
-    fs::copy(entry.path(), to + "/" + name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+    std::error_code failed;
+    fs::copy(entry.path(), to + "/" + name, fs::copy_options::recursive | fs::copy_options::copy_symlinks,
+             failed);
+    if (failed) refuse(to + "/" + name, failed.message());
   }
 }
 

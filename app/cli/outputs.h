@@ -18,7 +18,7 @@ struct OutputFile {
 
 //! Throws UsageError that names the option if a file could not be written: its folder is missing or closed to
 //! us, it is a folder itself, two options name it, or it is one of the inputs or of the files that they are
-//! in (filesOfVolume), which would be destroyed, or a new one in the folder of an input.
+//! in (belongsToVolume), which would be destroyed, or a new one in the folder of an input.
 void checkWritable(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs);
 
 //! Throws UsageError unless the extension is one of a mesh or a label map.

@@ -49,7 +49,7 @@ void takeAcrossRows(const std::uint8_t* other, std::uint8_t* to, std::size_t n, 
 template <bool highest>
 void Morphology::run(Bytes& cells, const OpeningPass& pass) {
   const std::size_t n = idx(size_[0]), rows = idx(size_[1]), plane = n * rows;
-  result_ = cells;
+  result_.resize(cells.size());
   if (pass.along[0]) {
     wide_.resize(cells.size());
     for (int z = 0; z < size_[2]; ++z)

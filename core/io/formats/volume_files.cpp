@@ -13,14 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> filesIn(const std::string& folder) {
-  std::vector<std::string> files;
-  std::error_code failed;
-  for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
-    if (at->is_regular_file(failed)) files.push_back(at->path().string());
-  return files;
-}
-
 std::vector<std::string> dataFilesOf(const std::string& path) {
   const std::string lower = lowered(path);
   if (lower.ends_with(".nhdr") || lower.ends_with(".nrrd")) return readNrrdFields(path).dataFiles;
@@ -34,6 +26,18 @@ std::vector<std::string> dataFilesOf(const std::string& path) {
   return {};
 }
 
+//! The file itself and, where it is a detached header, those that hold the voxels, whether they are there or
+//! not. Reads headers only.
+std::vector<std::string> filesOfVolume(const std::string& path) {
+  std::vector<std::string> files;
+  try {
+    files = dataFilesOf(path);
+  } catch (const std::exception&) {  // opening it will say why
+  }
+  files.push_back(path);
+  return files;
+}
+
 fs::path identity(const std::string& path) {
   std::error_code failed;
   const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
@@ -41,17 +45,6 @@ fs::path identity(const std::string& path) {
 }
 
 }  // namespace
-
-std::vector<std::string> filesOfVolume(const std::string& path) {
-  std::error_code failed;
-  if (fs::is_directory(path, failed)) return filesIn(path);
-  std::vector<std::string> files{path};
-  try {
-    for (std::string& file : dataFilesOf(path)) files.push_back(std::move(file));
-  } catch (const std::exception&) {  // opening it will say why
-  }
-  return files;
-}
 
 bool belongsToVolume(const std::string& file, const std::string& path) {
   const fs::path written = identity(file);
