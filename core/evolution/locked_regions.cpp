@@ -15,6 +15,17 @@ constexpr double kSlowest = 0.2;
 constexpr double kWidening = 1.15;  // of the radius each time
 }  // namespace
 
+void StuckPlaces::add(const Vec3& centre, double radius) {
+  balls_.push_back({centre, radius});
+  box_.extend(centre - Vec3::Constant(radius)).extend(centre + Vec3::Constant(radius));
+}
+
+bool StuckPlaces::hold(const Vec3& p) const {
+  return box_.contains(p) && std::any_of(balls_.begin(), balls_.end(), [&](const Ball& b) {
+           return (p - b.centre).squaredNorm() < b.radius * b.radius;
+         });
+}
+
 void LockedRegions::add(const Vec3& centre, double radius, int iteration, bool waits) {
   for (Region& p : regions_)
     if ((p.centre - centre).norm() < kSameRegion * std::min(p.radius, radius)) {
@@ -50,10 +61,11 @@ bool LockedRegions::isLocked(const Vec3& p, int iteration) const {
                      [&](const Region& region) { return iteration < region.until && region.holds(p); });
 }
 
-bool LockedRegions::isStuck(const Vec3& p, int iteration) const {
-  return std::any_of(regions_.begin(), regions_.end(), [&](const Region& region) {
-    return iteration < region.until && region.times >= kStuck && region.holds(p);
-  });
+StuckPlaces LockedRegions::stuck(int iteration) const {
+  StuckPlaces out;
+  for (const Region& r : regions_)
+    if (iteration < r.until && r.times >= kStuck) out.add(r.centre, r.radius);
+  return out;
 }
 
 double LockedRegions::speedFactor(const Vec3& p) const {

@@ -2,6 +2,7 @@
 // Places that were rolled back rest for some iterations and then move on slowly; a place that is rolled back
 // again and again rests for good.
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "core/geometry/vec.h"
@@ -16,6 +17,22 @@ inline constexpr int kStuck = 3;
 //! Changes at one place after which smoothing alone is not expected to help.
 inline constexpr int kCameBack = 3;
 
+//! The places that are stuck at one time: for many points.
+class StuckPlaces {
+ public:
+  bool isEmpty() const { return balls_.empty(); }
+  void add(const Vec3& centre, double radius);
+  bool hold(const Vec3& p) const;
+
+ private:
+  struct Ball {
+    Vec3 centre;
+    double radius;
+  };
+  std::vector<Ball> balls_;
+  Eigen::AlignedBox3d box_;  // around all of them
+};
+
 class LockedRegions {
  public:
   //! A place rests from `iteration` on; each time it comes again it rests longer, and at last for good:
@@ -27,8 +44,8 @@ class LockedRegions {
   //! True if the mesh has changed kCameBack times or more within `radius` of p.
   bool cameBack(const Vec3& p, double radius) const;
   bool isLocked(const Vec3& p, int iteration) const;
-  //! True if p rests, and the place came again so often that it is not expected to come right by itself.
-  bool isStuck(const Vec3& p, int iteration) const;
+  //! Those that rest, and came again so often that they are not expected to come right by themselves.
+  StuckPlaces stuck(int iteration) const;
   bool any(int iteration) const;
   //! True if some place rests now but will move again.
   bool anyWillUnlock(int iteration) const;

@@ -103,17 +103,18 @@ void StepTransaction::displace(Mesh& mesh, const StepScene& scene, Attempt& a) c
 //! Where surgery has left edges that are too long, and the place was locked before they were split, nothing
 //! fits between faces that reach across it. If it is stuck they are split while it rests.
 void StepTransaction::touchStretched(const Mesh& mesh, const StepScene& scene, Attempt& a) {
-  const LockedRegions& regions = scene.locked.regions;
-  if (!regions.any(scene.iteration)) return;
+  const StuckPlaces stuck = scene.locked.regions.stuck(scene.iteration);
+  if (stuck.isEmpty()) return;
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
     if (!mesh.isVertex(v) || a.touched[v] != 0) continue;
     const Vec3& p = mesh.position(v);
+    if (!stuck.hold(p)) continue;
     const double most = kStretched * scene.longestAt(p);
     bool isStretched = false;
     mesh.forEachOutgoing(v, [&](int h) {
       isStretched = isStretched || (mesh.position(mesh.target(h)) - p).squaredNorm() > most * most;
     });
-    if (isStretched && regions.isStuck(p, scene.iteration) && !scene.locked.isHeld(mesh, v)) a.touched[v] = 1;
+    if (isStretched && !scene.locked.isHeld(mesh, v)) a.touched[v] = 1;
   }
 }
 
