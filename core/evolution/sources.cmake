@@ -30,6 +30,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/object_image.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_range.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_region.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/parameter_limits.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/parameters.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/painted_pins.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/painted_walls.cpp

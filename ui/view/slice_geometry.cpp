@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/model/translate.h"
+#include "ui/view/length_decimals.h"
 
 namespace handlebody::ui {
 namespace {
@@ -107,9 +108,10 @@ SliceGeometry wholeSlice(const Grid& grid, Plane plane, double longest) {
 }
 
 QStringList slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair) {
-  const auto place = [](int w, double mm) {  // "R 12.5", in the user's locale
+  const int decimals = placeDecimals(geometry.grid());
+  const auto place = [decimals](int w, double mm) {  // "R 12.5", in the user's locale
     return QStringLiteral("%1 %2").arg(QString(QLatin1Char(anatomicalLetter(w, mm >= 0))),
-                                       QLocale().toString(std::abs(mm), 'f', 1));
+                                       QLocale().toString(std::abs(mm), 'f', decimals));
   };
   const QString number = tr("Slice %1 of %2").arg(geometry.slice() + 1).arg(geometry.slices());
   if (isOblique(geometry.grid()))

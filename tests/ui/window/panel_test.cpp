@@ -35,6 +35,14 @@ QString writeRamp(const QTemporaryDir& folder) {
   return path;
 }
 
+//! Dark, of a radius of 8 voxels.
+QString writeBall(const QTemporaryDir& folder, const Grid& grid) {
+  const QString path = folder.filePath("ball.nii.gz");
+  const auto intensity = [](int i, int j, int k) { return (Vec3(i, j, k) - kMiddle).norm() < 8 ? 0 : 100; };
+  writeVolume(testing::volumeByIndex(grid, intensity), path.toStdString());
+  return path;
+}
+
 //! The seed ball shrinks to a point.
 bool shrinkAway(ui::MainWindow& window) {
   Parameters p = window.document().parameters();
@@ -58,6 +66,7 @@ class PanelTest : public QObject {
   void whatCannotGrowIsNotSaidToBeReady();
   void itIsSeenThatTheImageIsPrepared();
   void aNumberThatIsNotKnownIsADash();
+  void lengthsOfTinyAndOfHugeVoxelsAreShownAndCanBeEntered();
   void anEventIsNotInspectedWhileTheSurfaceGrows();
   void whatAnEventDidCanBeForbiddenAndAllowedAgain();
   void onlyChangesOfTopologyAreListedUntilMoreIsAsked();
@@ -164,6 +173,29 @@ void PanelTest::aNumberThatIsNotKnownIsADash() {
     QVERIFY2(numberField(*window, name)->text().endsWith(" mm"), name);
   window->document().removeSeed(0);
   QCOMPARE(numberField(*window, "Radius")->text(), QString("–"));
+}
+
+void PanelTest::lengthsOfTinyAndOfHugeVoxelsAreShownAndCanBeEntered() {
+  for (const double voxel : {0.002, 2000.0}) {  // mm
+    const QTemporaryDir folder;
+    Grid grid = testing::cubicGrid(41);
+    grid.spacing = Vec3::Constant(voxel);
+    auto window = shownWindow();
+    QVERIFY(window && open(*window, writeBall(folder, grid)));
+    window->document().addSeed({voxel * kMiddle, {}});
+    window->document().selectSeed(0);
+    QVERIFY(QTest::qWaitFor([&] { return window->document().resolved().has_value(); }, kPatience));
+    const auto shows = [&](const char* name, double mm) {
+      return std::abs(numberField(*window, name)->value() - mm) < 0.05 * mm;
+    };
+    const double edge = window->document().resolved()->edgeLength;
+    QVERIFY(shows("Edge length", edge));
+    QVERIFY(shows("Radius", window->document().shownRadius(0)));
+    numberField(*window, "Edge length")->setValue(1.5 * edge);
+    QVERIFY(shows("Edge length", 1.5 * edge));
+    QVERIFY(window->document().parameters().edgeLength.has_value());
+    QVERIFY(ui::place(voxel * kMiddle, grid) != ui::place(voxel * (kMiddle + Vec3(1, 0, 0)), grid));
+  }
 }
 
 void PanelTest::anEventIsNotInspectedWhileTheSurfaceGrows() {

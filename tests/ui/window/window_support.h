@@ -73,9 +73,9 @@ inline QString shownText(ui::MainWindow& window, const char* name) {
   return label ? label->text() : QString();
 }
 
-inline const QDoubleSpinBox* numberField(ui::MainWindow& window, const QString& name) {
+inline QDoubleSpinBox* numberField(ui::MainWindow& window, const QString& name) {
   const auto fields = window.findChildren<QDoubleSpinBox*>();
-  for (const QDoubleSpinBox* field : fields)
+  for (QDoubleSpinBox* field : fields)
     if (field->accessibleName() == name) return field;
   return nullptr;
 }

@@ -5,13 +5,13 @@
 
 #include "ui/model/translate.h"
 #include "ui/view/brush.h"
+#include "ui/view/length_decimals.h"
 #include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
 
 QDoubleSpinBox* brushRadius(Brush& brush, QWidget* parent) {
   auto* field = new QDoubleSpinBox(parent);
-  field->setDecimals(2);
   field->setSuffix(tr(" mm"));
   field->setKeyboardTracking(false);
   describe(field, tr("Radius of the brush"),
@@ -20,6 +20,7 @@ QDoubleSpinBox* brushRadius(Brush& brush, QWidget* parent) {
   ignoreWheelWithoutFocus(field);
   const auto follow = [field, &brush] {
     const QSignalBlocker quiet(field);
+    field->setDecimals(lengthDecimals(2 * brush.lowest()));
     field->setRange(brush.lowest(), brush.highest());
     field->setSingleStep(brush.lowest());
     field->setValue(brush.radius());

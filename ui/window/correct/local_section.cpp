@@ -13,6 +13,7 @@
 #include "core/surgery/kept_side.h"
 #include "ui/model/document.h"
 #include "ui/view/brush_hand.h"
+#include "ui/view/length_decimals.h"
 #include "ui/view/slice_geometry.h"
 #include "ui/window/commands.h"
 #include "ui/window/widgets/action_button.h"
@@ -133,8 +134,9 @@ void LocalSection::startWithVolume() {
   const Grid& grid = document_.volume().grid;
   const double voxel = grid.meanSpacing();
   const Vec3 size(grid.size[0], grid.size[1], grid.size[2]);
-  radius_->setRange(std::max(kMinRadius * voxel, 0.01), size.cwiseProduct(grid.spacing).maxCoeff());
-  radius_->setSingleStep(std::max(kMinRadius * voxel, 0.01));
+  radius_->setDecimals(lengthDecimals(grid));
+  radius_->setRange(kMinRadius * voxel, size.cwiseProduct(grid.spacing).maxCoeff());
+  radius_->setSingleStep(kMinRadius * voxel);
   radius_->setValue(kFirstRadius * voxel);
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "ui/model/document.h"
+#include "ui/view/length_decimals.h"
 #include "ui/view/overlay.h"
 #include "ui/view/view_state.h"
 #include "ui/window/widgets/numbers.h"
@@ -216,7 +217,9 @@ void TunnelsList::addPieces(std::vector<Row>& rows, bool cavities) const {
     row.piece = &p;
     row.what = cavities ? tr("Cavity") : tr("Component");
     row.size = millilitres(p.piece.volume, 3);
-    row.detail = tr("%1 mm, genus %2").arg(times(p.piece.size, 1)).arg(p.piece.genus);
+    row.detail = tr("%1 mm, genus %2")
+                     .arg(times(p.piece.size, placeDecimals(document_.volume().grid)))
+                     .arg(p.piece.genus);
     rows.push_back(std::move(row));
   }
 }
@@ -227,7 +230,7 @@ void TunnelsList::addEdits(std::vector<Row>& rows) const {
     row.edit = e;
     row.what = nameOf(e);
     row.size = tr("step %1").arg(e.iteration);
-    row.detail = tr("At %1").arg(place(e.place));
+    row.detail = tr("At %1").arg(place(e.place, document_.volume().grid));
     rows.push_back(std::move(row));
   }
 }

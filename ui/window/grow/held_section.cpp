@@ -186,7 +186,9 @@ void HeldSection::showRows() {
     for (int i = 0; i < table_->rowCount(); ++i) {
       const Row& row = rows_[i];
       table_->setItem(i, kWhat, listCell(row.text));
-      table_->setItem(i, kWhere, listCell(row.place ? place(*row.place).chopped(3) : QStringLiteral("–")));
+      table_->setItem(
+          i, kWhere,
+          listCell(row.place ? place(*row.place, document_.volume().grid).chopped(3) : QStringLiteral("–")));
     }
   }
   none_->setVisible(rows_.empty());

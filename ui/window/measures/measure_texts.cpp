@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ui/model/translate.h"
+#include "ui/view/length_decimals.h"
 #include "ui/window/widgets/numbers.h"
 
 namespace handlebody::ui {
@@ -55,13 +56,14 @@ QStringList measureCells(const Measured& m, const MeasuredObject& o) {
           nearest ? tr("%1: %2").arg(nameOf(*otherOf(*nearest, o)), number(nearest->gap.distance, 3)) : none};
 }
 
-QString measureDetails(const Measured& m, const MeasuredObject& o) {
+QString measureDetails(const Measured& m, const MeasuredObject& o, const Grid& grid) {
   const ShapeMeasures& s = o.measures.shape;
+  const int decimals = placeDecimals(grid);
   QStringList lines;
-  lines << tr("Along its axes: %1 mm").arg(times(s.extents, 1))
-        << tr("Along x, y, z: %1 mm").arg(times(s.box, 1))
-        << tr("Largest Ø from %1 to %2").arg(place(s.largest.from), place(s.largest.to))
-        << tr("Centroid: %1 LPS").arg(place(s.centroid));
+  lines << tr("Along its axes: %1 mm").arg(times(s.extents, decimals))
+        << tr("Along x, y, z: %1 mm").arg(times(s.box, decimals))
+        << tr("Largest Ø from %1 to %2").arg(place(s.largest.from, grid), place(s.largest.to, grid))
+        << tr("Centroid: %1 LPS").arg(place(s.centroid, grid));
   if (const IntensityInside* in = intensityOf(o))
     lines << tr("Intensity %1 to %2, %3 voxels")
                  .arg(number(in->minimum), number(in->maximum),

@@ -11,7 +11,7 @@ namespace handlebody::ui {
 QStringList measureHeaders();
 QStringList measureCells(const Measured& measured, const MeasuredObject& object);
 //! What the table has no column for, a line each.
-QString measureDetails(const Measured& measured, const MeasuredObject& object);
+QString measureDetails(const Measured& measured, const MeasuredObject& object, const Grid& grid);
 //! Length, and the least and the largest section of a centre line.
 QString lineSummary(const MeasuredLine& line);
 //! Of a point of a centre line.

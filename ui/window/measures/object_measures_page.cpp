@@ -247,7 +247,7 @@ void ObjectMeasuresPage::showTable() {
 void ObjectMeasuresPage::showDetails() {
   const int row = table_->currentRow();
   const bool any = shown_ && row >= 0 && row < static_cast<int>(shown_->objects.size());
-  details_->setText(any ? measureDetails(*shown_, shown_->objects[row]) : QString());
+  details_->setText(any ? measureDetails(*shown_, shown_->objects[row], document_.volume().grid) : QString());
 }
 
 void ObjectMeasuresPage::showState() {

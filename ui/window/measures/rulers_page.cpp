@@ -103,7 +103,7 @@ void RulersPage::showRows() {
     table_->setItem(i, 0, listCell(list.nameOf(i)));
     table_->setItem(i, 1, listCell(measuredValue(m)));
     table_->item(i, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    table_->setItem(i, 2, listCell(place(m.points.front())));
+    table_->setItem(i, 2, listCell(place(m.points.front(), document_.volume().grid)));
   }
   if (list.selected() >= 0)
     table_->selectRow(list.selected());

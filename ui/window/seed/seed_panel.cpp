@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/evolution/parameter_limits.h"
 #include "ui/model/document.h"
 #include "ui/view/view_state.h"
 #include "ui/window/commands.h"
@@ -93,6 +94,7 @@ SeedPanel::SeedPanel(Document& document, ViewState& state, const Commands& comma
   connect(radius_, &ValueField::edited, this, [this](std::optional<double> radius, int gesture) {
     if (document_.selectedSeed() >= 0) document_.setSeedRadius(document_.selectedSeed(), radius, gesture);
   });
+  connect(&document_, &Document::opened, this, &SeedPanel::boundRadius);
   for (auto changed : {&Document::seedsChanged, &Document::resolvedChanged, &Document::opened})
     connect(&document_, changed, this, &SeedPanel::showSeeds);
   connect(&document_, &Document::selectedSeedChanged, this, &SeedPanel::showSelected);
@@ -124,13 +126,19 @@ void SeedPanel::select(int row) {
   state_.setCrosshair(document_.seeds()[row].centre);
 }
 
+void SeedPanel::boundRadius() {
+  if (!document_.hasVolume()) return;
+  const Grid& grid = document_.volume().grid;
+  radius_->setLengths(grid, false, limitsFor(grid).longestSide);
+}
+
 void SeedPanel::showSeeds() {
   const QSignalBlocker quiet(table_);
   const int count = static_cast<int>(document_.seeds().size());
   table_->setRowCount(count);
   for (int i = 0; i < count; ++i) {
     const Seed& seed = document_.seeds()[i];
-    table_->setItem(i, 0, cell(place(seed.centre).chopped(3)));
+    table_->setItem(i, 0, cell(place(seed.centre, document_.volume().grid).chopped(3)));
     table_->setItem(i, 1, cell(radiusText(document_, i)));
     table_->setItem(i, 2, cell(seed.background ? tr("outside") : tr("inside")));
   }

@@ -23,6 +23,7 @@ class SeedPanel : public QWidget {
 
  private:
   void buildTable();
+  void boundRadius();
   void showSeeds();
   void showSelected();
   void showChoice();

@@ -169,7 +169,7 @@ void EventInspector::showText() {
   const Event& event = document_.events()[index_];
   title_->setText(tr("Event: %1").arg(eventName(event)));
   stages_->setVisible(!event.edit);  // nothing collided
-  QStringList lines{tr("at %1").arg(place(event.location)),
+  QStringList lines{tr("at %1").arg(place(event.location, document_.volume().grid)),
                     tr("Genus %1, components %2")
                         .arg(changeText(event.before.genus, event.after.genus),
                              changeText(event.before.components, event.after.components))};

@@ -66,7 +66,7 @@ QString EventTable::text(int row, int column) const {
     case kKind:
       return eventName(event);
     case kPlace:
-      return place(event.location);
+      return place(event.location, document_.volume().grid);
     case kGenus:
       return changeText(event.before.genus, event.after.genus);
     default:

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/evolution/parameter_limits.h"
 #include "ui/model/document.h"
 #include "ui/view/view_state.h"
 #include "ui/window/tune/histogram_view.h"
@@ -55,6 +56,7 @@ TunePanel::TunePanel(Document& document, ViewState& state, QWidget* parent)
   tintEnds_->setInterval(kTintStays);
   connect(tintEnds_, &QTimer::timeout, this, &TunePanel::updateTint);
   connect(&document_, &Document::opened, this, &TunePanel::countIntensities);
+  connect(&document_, &Document::opened, this, &TunePanel::boundLengths);
   for (auto changed :
        {&Document::opened, &Document::parametersChanged, &Document::resolvedChanged, &Document::seedsChanged})
     connect(&document_, changed, this, &TunePanel::show);
@@ -244,6 +246,14 @@ void TunePanel::countIntensities() {
         const double width = histogram.high - histogram.low;
         for (IntensityField* field : {low_, high_}) field->setSingleStep(std::max(width / 200, 0.01));
       });
+}
+
+void TunePanel::boundLengths() {
+  if (!document_.hasVolume()) return;
+  const Grid& grid = document_.volume().grid;
+  const ParameterLimits limits = limitsFor(grid);
+  smoothing_->setLengths(grid, true, limits.smoothing);
+  edgeLength_->setLengths(grid, false, limits.edgeLength);
 }
 
 void TunePanel::show() {

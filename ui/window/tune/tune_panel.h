@@ -42,6 +42,7 @@ class TunePanel : public QWidget {
   std::optional<IntensityRange> shownRange() const;
   void tintForAWhile();
   void updateTint();
+  void boundLengths();
   void countIntensities();
   void show();
   void showRange();

@@ -71,7 +71,7 @@ StatusFields::StatusFields(QStatusBar* bar, Document& document)
 }
 
 void StatusFields::showCursor(const Vec3& world, const Vec3& index, double intensity) {
-  position_->setText(place(world));
+  position_->setText(place(world, document_.volume().grid));
   QStringList voxel;
   for (int axis = 0; axis < 3; ++axis) voxel << QString::number(std::lround(index[axis]));
   voxel_->setText(tr("Voxel %1").arg(voxel.join(QStringLiteral(", "))));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/view/length_decimals.h"
+
 namespace handlebody::ui {
 
 QString number(double value, int digits) {
@@ -13,6 +15,9 @@ QString number(double value, int digits) {
 }
 
 QString millilitres(double cubicMillimetres, int digits) {
+  constexpr double kSmall = 10;  // mm³
+  if (cubicMillimetres != 0 && std::abs(cubicMillimetres) < kSmall)
+    return number(cubicMillimetres, digits) + QStringLiteral(" mm³");
   return number(cubicMillimetres / 1000, digits) + QStringLiteral(" ml");
 }
 
@@ -22,11 +27,12 @@ QString squareCentimetres(double squareMillimetres) {
 
 QString millimetres(double value) { return number(value, 3) + QStringLiteral(" mm"); }
 
-QString place(const Vec3& world) {
+QString place(const Vec3& world, const Grid& grid) {
   const QLocale locale;
+  const int decimals = placeDecimals(grid);
   return QStringLiteral("%1, %2, %3 mm")
-      .arg(locale.toString(world.x(), 'f', 1), locale.toString(world.y(), 'f', 1),
-           locale.toString(world.z(), 'f', 1));
+      .arg(locale.toString(world.x(), 'f', decimals), locale.toString(world.y(), 'f', decimals),
+           locale.toString(world.z(), 'f', decimals));
 }
 
 QString times(const Vec3& numbers, int decimals) {

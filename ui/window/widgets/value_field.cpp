@@ -4,7 +4,10 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <algorithm>
+#include <cmath>
 
+#include "ui/view/length_decimals.h"
 #include "ui/view/view_state.h"
 #include "ui/window/widgets/icons.h"
 #include "ui/window/widgets/panel_tools.h"
@@ -89,6 +92,14 @@ ValueField::ValueField(const ValueSpec& spec, QWidget* parent)
 }
 
 void ValueField::edit(std::optional<double> value) { Q_EMIT edited(value, gestureOf(this)); }
+
+void ValueField::setLengths(const Grid& grid, bool fromZero, double high) {
+  const QSignalBlocker quiet(number_);
+  const int decimals = lengthDecimals(grid);
+  number_->setDecimals(decimals);
+  number_->setRange(fromZero ? 0 : std::pow(10, -decimals), high);
+  number_->setSingleStep(std::min(spec_.step, grid.meanSpacing()));
+}
 
 void ValueField::show(std::optional<double> value, std::optional<double> automatic) {
   const QSignalBlocker quiet(number_);

@@ -6,6 +6,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "core/volume/volume.h"
+
 class QToolButton;
 
 namespace handlebody::ui {
@@ -43,6 +45,9 @@ class ValueField : public QWidget {
  public:
   explicit ValueField(const ValueSpec& spec, QWidget* parent = nullptr);
 
+  //! Of a length: with as many decimals as the voxels need, up to `high` mm; from nothing, or from the least
+  //! that shows.
+  void setLengths(const Grid& grid, bool fromZero, double high);
   //! Shows the value asked for, or where it is left open the one that was worked out; a dash where neither is
   //! known.
   void show(std::optional<double> value, std::optional<double> automatic = std::nullopt);
