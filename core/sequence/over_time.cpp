@@ -168,6 +168,7 @@ FrameResult FrameCarrier::corrected(const FrameCorrection& correction, const Fra
   FrameResult result;
   result.frame = correction.frame;
   result.from = from.frame;
+  result.isCorrected = true;
   const Volume volume = hooks_.load(correction.frame);
   const Request& r = correction.request;
   try {

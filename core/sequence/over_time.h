@@ -49,8 +49,9 @@ struct FrameResult {
   StopReason stopped = StopReason::running;
   double seconds = 0;  //!< wall clock, with reading
   std::vector<ToldFault> faults{};
-  GrownUnder under{};      //!< where there is a mesh: what binds a polish of it
-  bool isTrusted() const;  //!< none of the faults is a failure, and there is a mesh
+  bool isCorrected = false;  //!< by hand
+  GrownUnder under{};        //!< where there is a mesh: what binds a polish of it
+  bool isTrusted() const;    //!< none of the faults is a failure, and there is a mesh
 };
 
 //! A frame that was corrected by hand. Its surface starts from that of the frame beside it, as a carried one,

@@ -3386,7 +3386,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Export a&amp;nonymous session…</source>
-        <translation>A&amp;nonyme Sitzung exportieren…</translation>
+        <translation>Anon&amp;yme Sitzung exportieren…</translation>
     </message>
     <message>
         <source>Write a session that names neither the patient nor a file: it asks for its volume when it is opened</source>

@@ -2584,7 +2584,7 @@
     </message>
     <message>
         <source>Unp&amp;in by brush</source>
-        <translation>&amp;Libérer au pinceau</translation>
+        <translation>Libérer au pi&amp;nceau</translation>
     </message>
     <message>
         <source>Drag over the surface, in a slice or in 3D: pins that the brush touches hold no more</source>

@@ -141,7 +141,11 @@ void Document::endCorrection(bool keeps) {
   if (!keeps) return;
   d_->time.setRequest(request, true);
   d_->undo.resetClean();
-  d_->carryAgain(frame);
+  // The surface that it is carried from may have been undone meanwhile. The correction is kept all the same.
+  if (const QString fault = carryFault(); !fault.isEmpty())
+    Q_EMIT refused(fault);
+  else
+    d_->carryAgain(frame);
   d_->journalNow();
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "ui/model/document.h"
+
 namespace handlebody::ui {
 
 namespace {
@@ -47,6 +49,7 @@ void ObjectWork::reset() {
   replays_ = isShown_ = false;
   savedIteration_ = -1;
   traits = {};
+  traits.label.name = handlebody::ui::Document::tr("Object").toStdString();
 }
 
 void ObjectWork::adopt(const Session& session) {

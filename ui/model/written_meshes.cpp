@@ -1,5 +1,7 @@
 #include "ui/model/written_meshes.h"
 
+#include <QLocale>
+
 #include "core/cancellation.h"
 #include "core/collision/body_contact.h"
 #include "core/errors.h"
@@ -60,7 +62,7 @@ namespace {
 QString withoutCapital(const PolishReport& report) {
   if (report.before.faces + report.before.edges == 0) return {};
   const auto counted = [](const PolishCount& c) { return QString::number(c.faces + c.edges); };
-  const auto degrees = [](double angle) { return QString::number(angle, 'f', 1); };
+  const auto degrees = [](double angle) { return QLocale().toString(angle, 'f', 1); };
   return Document::tr("polished: %1 bad places, now %2; least angle %3°, was %4°.")
       .arg(counted(report.before), counted(report.after), degrees(report.after.leastAngle),
            degrees(report.before.leastAngle));

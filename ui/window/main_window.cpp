@@ -4,12 +4,16 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QFile>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "ui/view/slice_view.h"
 #include "ui/view/surface_view.h"
@@ -44,6 +48,26 @@
 
 namespace handlebody::ui {
 
+namespace {
+
+bool isDicomFile(const QString& path) {
+  constexpr int kPreamble = 128;  // bytes before the mark
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) && file.read(kPreamble + 4).endsWith("DICM");
+}
+
+//! Of several files of one folder, the first of which is DICOM: they are meant as a series. Else empty.
+QString folderOfSlices(const QList<QUrl>& urls) {
+  if (urls.size() < 2 || !isDicomFile(urls.front().toLocalFile())) return {};
+  const auto folderOf = [](const QUrl& url) { return QFileInfo(url.toLocalFile()).absolutePath(); };
+  const QString folder = folderOf(urls.front());
+  const bool isOne =
+      std::all_of(urls.begin(), urls.end(), [&](const QUrl& url) { return folderOf(url) == folder; });
+  return isOne ? folder : QString();
+}
+
+}  // namespace
+
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(document_.undoStack(), nullptr) {
   readLabelsWithTheirValues();
   setWindowIcon(programIcon());
@@ -71,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(documen
   connectMeasureCommands();
   connectHelpCommands();
   connect(&document_, &Document::opened, this, &MainWindow::showOpened);
+  connect(&document_, &Document::openFailed, this, &MainWindow::sayDropFailed);
   connect(&document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
   connect(files_, &FileWork::recentChanged, this, &MainWindow::fillRecent);
   connect(files_, &FileWork::aboutToSave, this, &MainWindow::keepView);
@@ -103,7 +128,7 @@ void MainWindow::buildCentre() {
   centre_->addWidget(views_);
   layout->addWidget(centre_, 1);
   layout->addWidget(new TimeBar(document_, commands_, centre));
-  messages_ = new MessageBar(centre);
+  messages_ = new MessageBar(centre_);  // not over the bar of the frames
   setCentralWidget(centre);
 }
 
@@ -224,11 +249,17 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const auto urls = event->mimeData()->urls();
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
-  files_->open(urls.front().toLocalFile());
-  if (urls.size() > 1)
-    messages_->show(
-        MessageBar::Kind::warning,
-        tr("Several files were dropped; the first one is opened. For a DICOM series drop its folder."));
+  const QString folder = folderOfSlices(urls);
+  files_->open(folder.isEmpty() ? urls.front().toLocalFile() : folder);
+  // Told with what came of it: what is said before goes when the volume is there.
+  if (urls.size() > 1 && folder.isEmpty())
+    dropNote_ =
+        tr("Several files were dropped; the first one is opened. For a DICOM series drop its folder.");
+}
+
+void MainWindow::sayDropFailed(const QString& sentence, bool needsSpacing) {
+  if (const QString note = std::exchange(dropNote_, {}); !note.isEmpty() && !needsSpacing)
+    messages_->show(MessageBar::Kind::error, sentence + QLatin1Char(' ') + note);
 }
 
 // Icons are drawn in the colour of the text, which Qt does not know of.

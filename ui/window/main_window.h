@@ -90,6 +90,7 @@ class MainWindow : public QMainWindow {
   void restoreSettings();
   void saveSettings();
   void showOpened();
+  void sayDropFailed(const QString& sentence, bool needsSpacing);
   // main_window_measures.cpp
   void buildMeasures();
   void connectMeasureCommands();
@@ -138,6 +139,7 @@ class MainWindow : public QMainWindow {
   QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr, *measuresDock_ = nullptr,
               *overTimeDock_ = nullptr;
   QMenu *recent_ = nullptr, *panels_ = nullptr;
+  QString dropNote_;  //!< of several files that were dropped
   Appearance appearance_ = Appearance::system;
   bool justOpened_ = false;    //!< the views are as the session says
   bool seekingEvent_ = false;  //!< N or P was pressed: the views follow to the event that is reached

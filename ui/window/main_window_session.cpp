@@ -122,8 +122,9 @@ void MainWindow::showOpened() {
   }
   updateTitle();
   messages_->dismiss();
-  if (const QString warning = mainWarning(document_.info()); !warning.isEmpty())
-    messages_->show(MessageBar::Kind::warning, warning);
+  QStringList warnings{mainWarning(document_.info()), std::exchange(dropNote_, {})};
+  warnings.removeAll(QString());
+  if (!warnings.isEmpty()) messages_->show(MessageBar::Kind::warning, warnings.join(QLatin1Char(' ')));
 }
 
 void MainWindow::keepView() {

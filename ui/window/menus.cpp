@@ -8,6 +8,7 @@
 #include "ui/model/translate.h"
 #include "ui/window/commands.h"
 #include "ui/window/widgets/icons.h"
+#include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
 
@@ -66,7 +67,7 @@ void buildToolbar(QMainWindow& window, const Commands& commands) {
       bar->addAction(commands[id]);
       QWidget* button = bar->widgetForAction(commands[id]);
       button->setFocusPolicy(Qt::TabFocus);
-      button->setAccessibleName(commands[id]->text().remove(QLatin1Char('&')));
+      button->setAccessibleName(withoutKey(commands[id]->text()));
     }
   }
   window.addToolBar(bar);

@@ -1,4 +1,5 @@
 #include "ui/window/steps_panel.h"
+#include "ui/window/widgets/panel_tools.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -65,7 +66,7 @@ QToolButton* stepButton(QAction* action, QWidget* parent) {
   button->setAutoRaise(true);
   button->setFocusPolicy(Qt::TabFocus);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  button->setAccessibleName(StepsPanel::tr("Step %1").arg(action->text().remove(QLatin1Char('&'))));
+  button->setAccessibleName(StepsPanel::tr("Step %1").arg(withoutKey(action->text())));
   return button;
 }
 

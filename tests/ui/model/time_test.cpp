@@ -427,6 +427,25 @@ TEST_CASE(
   CHECK(document.isCarriedCurrent());
 }
 
+TEST_CASE("a correction is kept when the surface that it was carried from is undone", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  QStringList refused;
+  QObject::connect(&document, &Document::refused, [&](const QString& why) { refused << why; });
+  REQUIRE(growInFrame(document, heart));
+  REQUIRE(carryAll(document));
+  REQUIRE(correct(document, heart));
+  while (document.undoStack()->canUndo()) document.undoStack()->undo();  // to before the seed
+  while (document.undoStack()->canRedo()) document.undoStack()->redo();
+  REQUIRE(document.correctedFrame() == 2);
+  REQUIRE(runToEnd(document));
+  document.endCorrection(true);
+  CHECK_FALSE(document.correctedFrame());
+  CHECK(document.time().request().corrections.size() == 1);
+  CHECK_FALSE(document.time().isCarrying());
+  CHECK(refused == QStringList{document.carryFault()});
+}
+
 TEST_CASE("undo leads back into the corrected frame", "[document][time]") {
   const BeatingFile heart;
   Document document;

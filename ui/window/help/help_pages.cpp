@@ -5,6 +5,7 @@
 #include "ui/model/translate.h"
 #include "ui/window/commands.h"
 #include "ui/window/help/help_window.h"
+#include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
 
@@ -23,9 +24,7 @@ QString keysOf(const CommandSpec& spec) {
   return keys.join(tr(" or "));
 }
 
-QString plain(const char* text) {
-  return Commands::translated(text).remove(QLatin1Char('&')).toHtmlEscaped();
-}
+QString plain(const char* text) { return withoutKey(Commands::translated(text)).toHtmlEscaped(); }
 
 QString section(const QString& title, const QString& rows) {
   return QStringLiteral("<h3>%1</h3><table cellpadding='3'>%2</table>").arg(title, rows);

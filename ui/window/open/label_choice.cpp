@@ -52,7 +52,7 @@ LabelChoice::LabelChoice(QWidget* parent) : QWidget(parent) {
 void LabelChoice::addButton(QHBoxLayout* row, const QString& text, const QString& tip, Qt::CheckState state) {
   auto* button = new QPushButton(text, this);
   button->setAutoDefault(false);
-  describe(button, QString(text).remove(QLatin1Char('&')), tip);
+  describe(button, withoutKey(text), tip);
   connect(button, &QPushButton::clicked, this, [this, state] { checkAll(state); });
   row->addWidget(button);
 }

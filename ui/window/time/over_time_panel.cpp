@@ -39,9 +39,8 @@ QString stateOf(const TimeSeries& time, int frame) {
   QString text;
   for (const ToldFault& f : result->faults)
     text += (text.isEmpty() ? QString() : QStringLiteral("; ")) + findingText(f.finding);
-  for (const FrameCorrection& c : time.request().corrections)
-    if (c.frame == frame && text.isEmpty())
-      return OverTimePanel::tr("corrected, from frame %1").arg(result->from.value_or(0));
+  if (text.isEmpty() && result->isCorrected)
+    return OverTimePanel::tr("corrected, from frame %1").arg(result->from.value_or(0));
   if (text.isEmpty()) return OverTimePanel::tr("carried from frame %1").arg(result->from.value_or(0));
   return (result->isTrusted() ? OverTimePanel::tr("⚠ %1") : OverTimePanel::tr("✗ %1")).arg(text);
 }

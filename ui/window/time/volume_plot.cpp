@@ -111,9 +111,13 @@ void VolumePlot::paintAxes(QPainter& painter, double least, double most) const {
   const bool isKnown = time.timeOf(0).has_value();
   const int last = time.frameCount() - 1;
   const int step = std::max(1, static_cast<int>(std::ceil(last * 60.0 / std::max(60.0, a.width()))));
-  for (int f = 0; f <= last; f += step)
-    painter.drawText(QRectF(xOf(f) - 40, a.bottom() + 2, 80, kBottom - 2), Qt::AlignHCenter | Qt::AlignTop,
-                     number(when(f), 4) + (isKnown && f + step > last ? QStringLiteral(" ms") : QString()));
+  for (int f = 0; f <= last; f += step) {
+    const QString label =
+        number(when(f), 4) + (isKnown && f + step > last ? QStringLiteral(" ms") : QString());
+    const double wide = painter.fontMetrics().horizontalAdvance(label) + 2.0;
+    const double left = std::min(xOf(f) - wide / 2, width() - wide);
+    painter.drawText(QRectF(left, a.bottom() + 2, wide, kBottom - 2), Qt::AlignHCenter | Qt::AlignTop, label);
+  }
   const QRectF top(4, 0, width() - 8, kTop);
   const QString title = isKnown ? tr("Volume (ml) over time (ms)") : tr("Volume (ml) over frames");
   const bool fits = painter.fontMetrics().horizontalAdvance(title) <= top.width();

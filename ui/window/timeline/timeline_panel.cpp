@@ -79,6 +79,9 @@ QWidget* TimelinePanel::buildTable() {
   kept.setRetainSizeWhenHidden(true);
   repairs_->setSizePolicy(kept);
   layout->addWidget(repairs_);
+  const auto fit = [table = table_] { table->resizeColumnsToContents(); };
+  connect(events_, &EventTable::rowsInserted, table_, fit);
+  connect(events_, &EventTable::modelReset, table_, fit);
   connect(repairs_, &QCheckBox::toggled, events_, &EventTable::showRepairs);
   connect(repairs_, &QCheckBox::toggled, this, &TimelinePanel::showIterations);
   const auto choose = [this](const QModelIndex& row) { Q_EMIT eventChosen(events_->eventOf(row.row())); };

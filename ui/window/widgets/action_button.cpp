@@ -1,4 +1,5 @@
 #include "ui/window/widgets/action_button.h"
+#include "ui/window/widgets/panel_tools.h"
 
 #include <QAction>
 
@@ -22,7 +23,7 @@ void ActionButton::setOwnText(const QString& text) {
 }
 
 void ActionButton::follow() {
-  const QString text = ownText_.isEmpty() ? action_->text().remove(QLatin1Char('&')) : ownText_;
+  const QString text = ownText_.isEmpty() ? withoutKey(action_->text()) : ownText_;
   setText(text);
   setAccessibleName(text);
   setIcon(action_->icon());

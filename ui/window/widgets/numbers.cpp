@@ -30,9 +30,10 @@ QString millimetres(double value) { return number(value, 3) + QStringLiteral(" m
 QString place(const Vec3& world, const Grid& grid) {
   const QLocale locale;
   const int decimals = placeDecimals(grid);
-  return QStringLiteral("%1, %2, %3 mm")
-      .arg(locale.toString(world.x(), 'f', decimals), locale.toString(world.y(), 'f', decimals),
-           locale.toString(world.z(), 'f', decimals));
+  QStringList parts;
+  for (int axis = 0; axis < 3; ++axis) parts << locale.toString(world[axis], 'f', decimals);
+  const bool hasCommas = locale.decimalPoint() == QLatin1String(",");
+  return parts.join(hasCommas ? QStringLiteral("; ") : QStringLiteral(", ")) + QStringLiteral(" mm");
 }
 
 QString times(const Vec3& numbers, int decimals) {

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QFormLayout>
 #include <QHeaderView>
+#include <QRegularExpression>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -81,8 +82,13 @@ QToolButton* smallButton(QAction* action, QWidget* parent) {
   button->setDefaultAction(action);
   button->setFocusPolicy(Qt::TabFocus);
   button->setMinimumSize(30, 30);
-  button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+  button->setAccessibleName(withoutKey(action->text()));
   return button;
+}
+
+QString withoutKey(QString text) {
+  static const QRegularExpression added(QStringLiteral(" *\\(&[^)]\\)"));
+  return text.remove(added).remove(QLatin1Char('&'));
 }
 
 void ignoreWheelWithoutFocus(QWidget* field) {

@@ -29,6 +29,8 @@ QLabel* value(const QString& name, QWidget* parent);
 QLabel* notice(const QString& name, QWidget* parent);
 //! Icon only; the tooltip and the accessible name are the action's.
 QToolButton* smallButton(QAction* action, QWidget* parent);
+//! A command's text without the letter that its menu marks: "&Open", or "打开(&O)" where the script has none.
+QString withoutKey(QString text);
 //! Fields do not change under a wheel that was meant to scroll the panel.
 void ignoreWheelWithoutFocus(QWidget* field);
 //! Lets a field be found and read aloud: accessible name, tooltip, and the same text as "what is this".

@@ -1,4 +1,5 @@
 #include "ui/window/widgets/toggle_button.h"
+#include "ui/window/widgets/panel_tools.h"
 
 #include <QAction>
 #include <QPainter>
@@ -52,7 +53,7 @@ void ToggleButton::paintEvent(QPaintEvent*) {
 }
 
 ToggleButton* toggleFor(QAction* action, QWidget* parent, const QString& text) {
-  const QString name = action->text().remove(QLatin1Char('&'));
+  const QString name = withoutKey(action->text());
   auto* button = new ToggleButton(text.isEmpty() ? name : text, parent);
   button->setAccessibleName(name);
   button->setAccessibleDescription(action->statusTip());
