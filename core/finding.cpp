@@ -29,8 +29,10 @@ std::string listed(const std::vector<Finding>& entries, const char* between, con
 
 }  // namespace
 
+std::string dashed(std::string_view option) { return "--" + std::string(option); }
+
 std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written,
-                   const CauseWriter& told) {
+                   const CauseWriter& told, OptionSpelling spelled) {
   std::string out;
   while (!text.empty()) {
     const auto open = text.find('{'), close = text.find('}', open);
@@ -40,7 +42,9 @@ std::string filled(std::string_view text, const Finding& finding, const ValueWri
     const auto colon = hole.find(':');
     const std::string_view name = hole.substr(0, colon);
     const std::string_view format = colon == std::string_view::npos ? "" : hole.substr(colon + 1);
-    if (const FindingValue* value = finding.find(name))
+    if (name == "option")
+      out += spelled(format);
+    else if (const FindingValue* value = finding.find(name))
       out += written(name, *value, format);
     else if (name == "cause" && !finding.causes.empty())
       out += told(finding.causes.front());
@@ -79,13 +83,15 @@ std::string inEnglish(const FindingValue& value, std::string_view format) {
 
 }  // namespace
 
-std::string sentence(const Finding& finding) {
+std::string sentence(const Finding& finding) { return sentence(finding, &dashed); }
+
+std::string sentence(const Finding& finding, OptionSpelling spelled) {
   return filled(
       findingText(finding.kind), finding,
       [](std::string_view, const FindingValue& value, std::string_view format) {
         return inEnglish(value, format);
       },
-      [](const Finding& cause) { return sentence(cause); });
+      [spelled](const Finding& cause) { return sentence(cause, spelled); }, spelled);
 }
 
 std::string sentence(const std::vector<Finding>& findings) {
@@ -93,8 +99,12 @@ std::string sentence(const std::vector<Finding>& findings) {
 }
 
 std::vector<std::string> sentences(const std::vector<Finding>& findings) {
+  return sentences(findings, &dashed);
+}
+
+std::vector<std::string> sentences(const std::vector<Finding>& findings, OptionSpelling spelled) {
   std::vector<std::string> all;
-  for (const Finding& f : findings) all.push_back(sentence(f));
+  for (const Finding& f : findings) all.push_back(sentence(f, spelled));
   return all;
 }
 

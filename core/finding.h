@@ -1,7 +1,8 @@
 #pragma once
 // What is to be told a person, as a kind with numbers: a warning about a result, a refusal, the reason of an
-// event. Code looks at the kind and the numbers; the words are in finding_words.cpp (English, for reports and
-// the command line) and in the window (translated), and nothing reads them.
+// event. Code looks at the kind and the numbers; the words are in finding_words.cpp (English, for reports,
+// the command line and Python) and in the window (translated), and nothing reads them. Where they name an
+// option they say which, and how it is written is said by who tells them.
 
 #include <array>
 #include <functional>
@@ -60,20 +61,28 @@ const char* findingName(FindingKind kind);
 
 //! The English words, with {name} or {name:FORMAT} where a value goes; FORMAT is the digits and f or g as for
 //! printf. {cause} is the words of what caused it, {list} those of all its entries with ", " between,
-//! {choices} the same with "; ". No capital letter and no full stop unless it is a whole sentence.
+//! {choices} the same with "; ", and {option:edge-length} that option. No capital letter and no full stop
+//! unless it is a whole sentence.
 const char* findingText(FindingKind kind);
 
-//! The text with its values filled in by `written`, which is given name, value and FORMAT ("" for none), and
-//! {cause} and lists by `told`. What is no value of the finding stays as it is.
+//! How the option "edge-length" is written where a sentence is told.
+using OptionSpelling = std::string (*)(std::string_view option);
+//! "--edge-length": on the command line, and with it in reports and in the messages of errors.
+std::string dashed(std::string_view option);
+
+//! The text with its values filled in by `written`, which is given name, value and FORMAT ("" for none),
+//! {cause} and lists by `told`, and options by `spelled`. What is no value of the finding stays as it is.
 using ValueWriter =
     std::function<std::string(std::string_view name, const FindingValue&, std::string_view format)>;
 using CauseWriter = std::function<std::string(const Finding& cause)>;
 std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written,
-                   const CauseWriter& told);
+                   const CauseWriter& told, OptionSpelling spelled);
 
-//! In English.
+//! In English, with options as they are `dashed` or as told.
 std::string sentence(const Finding& finding);
+std::string sentence(const Finding& finding, OptionSpelling spelled);
 std::string sentence(const std::vector<Finding>& findings);  //!< with "; " between
 std::vector<std::string> sentences(const std::vector<Finding>& findings);
+std::vector<std::string> sentences(const std::vector<Finding>& findings, OptionSpelling spelled);
 
 }  // namespace handlebody

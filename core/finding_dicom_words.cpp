@@ -57,7 +57,7 @@ constexpr FindingWords kWords[] = {
     {K::slicePalette, "slice-palette",
      QT_TRANSLATE_NOOP("Findings", "the palette of {slice} is missing or damaged")},
     {K::severalToChoose, "several-to-choose",
-     QT_TRANSLATE_NOOP("Findings", "it holds several series or stacks, choose one with --series")},
+     "it holds several series or stacks, choose one with {option:series}"},
     {K::slicePackedLess, "slice-packed-less",
      QT_TRANSLATE_NOOP("Findings",
                        "the slice {slice} is truncated or damaged: its header declares {declared:0f} bytes "
@@ -102,7 +102,7 @@ constexpr FindingWords kWords[] = {
     {K::tooUneven, "too-uneven", QT_TRANSLATE_NOOP("Findings", "{cause}, too unevenly to resample")},
     {K::cine, "cine",
      "this is a cine (2D images over time: {frames:0f} frames), not a volume; if its frames are slices in "
-     "space, give --spacing X,Y,Z"},
+     "space, give {option:spacing} X,Y,Z"},
     {K::framesImplausible, "frames-implausible",
      QT_TRANSLATE_NOOP("Findings", "the number of frames in {slice} is implausible")},
     {K::pixelBits, "pixel-bits",

@@ -30,7 +30,7 @@ enum class FindingKind {
   passage,             //!< width_mm, place, before_mm, behind_mm
   passageTooNarrow,    //!< place, before_mm, behind_mm
   pinNotReached,       //!< pin, mesh_iteration
-  undecided,           //!< iteration, allow, hold; cause: one of the next
+  undecided,           //!< iteration, spot, allow, hold (of the command line); cause: one of the next
   wouldEnclose,        //!< ml, place
   wouldComeOff,        //!< ml, place
   frontsWouldMeet,     //!< place
@@ -492,7 +492,34 @@ enum class FindingKind {
   voxelsWithoutValue,  //!< voxels
   noVoxelInside,
   noCavity,  //!< object
+
+  // What is wrong with an option, a session or a label map …
+  startAndGiven,
+  jsonUnexpected,  //!< reason
+  noSurface,       //!< file; cause: as of notAStart
+
+  // … and with a part or a place of a file: damagedBecause has one of the next.
+  damagedBecause,     //!< format; cause
+  partMissing,        //!< part
+  objectMissing,      //!< object: its number
+  objectHoldsItself,  //!< the same
+  objectTwice,        //!< the same
+  objectWithoutNumber,
+  objectsNested,
+  objectsTooMany,  //!< most
+  itemWithoutObject,
+  badTransform,
+  unitUnknown,  //!< unit
+  packingOf,    //!< part
+  sizeOf,       //!< part
+  xmlAt,        //!< line, part; cause: one of the next
+  xmlFault,     //!< reason
+  xmlNested,
+  xmlWithType,
+  xmlTagTooLong,
+  badNumber,
+  badList,
 };
-inline constexpr int kFindingKinds = static_cast<int>(FindingKind::noCavity) + 1;
+inline constexpr int kFindingKinds = static_cast<int>(FindingKind::badList) + 1;
 
 }  // namespace handlebody

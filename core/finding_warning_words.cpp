@@ -46,7 +46,7 @@ constexpr FindingWords kWords[] = {
                        "The spacing was given by the user; the file says {x_mm:4g} mm, {y_mm:4g} mm, "
                        "{z_mm:4g} mm.")},
     {K::frameZeroUsed, "frame-zero-used",
-     "There are {frames:0f} time points; frame 0 is used (--frame chooses another)."},
+     "There are {frames:0f} time points; frame 0 is used ({option:frame} chooses another)."},
     {K::firstLayerUsed, "first-layer-used",
      QT_TRANSLATE_NOOP(
          "Findings",
@@ -54,7 +54,7 @@ constexpr FindingWords kWords[] = {
          "the first layer are read.")},
     {K::uncalibrated, "uncalibrated",
      "The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is missing, "
-     "and lengths and volumes mean nothing until --spacing gives it."},
+     "and lengths and volumes mean nothing until {option:spacing} gives it."},
     {K::voxelsNotNumbers, "voxels-not-numbers",
      QT_TRANSLATE_NOOP("Findings",
                        "{none:0f} of {voxels:0f} voxels are not a number: they count as outside of the "
@@ -133,7 +133,7 @@ constexpr FindingWords kWords[] = {
 
     {K::nothingChosen, "nothing-chosen", QT_TRANSLATE_NOOP("Findings", "Nothing is chosen: {cause}.")},
     {K::seriesToChoose, "series-to-choose",
-     "it holds {series:0f} series or stacks, choose one with --series: {choices}"},
+     "it holds {series:0f} series or stacks, choose one with {option:series}: {choices}"},
     {K::seriesOfFile, "series-of-file",
      QT_TRANSLATE_NOOP("Findings", "{series} ({what}1 file, {size} voxels of {spacing_mm: 4g} mm)")},
     {K::seriesOfFiles, "series-of-files",
@@ -171,7 +171,8 @@ constexpr FindingWords kWords[] = {
                        "their boxes {centres_mm:4g} mm. With the signs of x and y turned in one of them they "
                        "would meet: is one in RAS and does not say so?")},
     {K::noLatticePoint, "no-lattice-point",
-     "No point of the lattice lies in A or B: there is no Dice coefficient; --sampling makes the lattice of "
+     "No point of the lattice lies in A or B: there is no Dice coefficient; {option:sampling} makes the "
+     "lattice of "
      "two meshes finer."},
     {K::surfacePartlyOutside, "surface-partly-outside",
      QT_TRANSLATE_NOOP("Findings",

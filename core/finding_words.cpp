@@ -1,5 +1,5 @@
 // The names and the English words of findings: of all that the engine has to tell, nothing else in it is
-// words. The window translates them, or has words of its own where these name an option of the command line.
+// words. The window translates them, or has words of its own where these name an option.
 
 #include "core/finding_words.h"
 
@@ -23,17 +23,17 @@ constexpr FindingWords kWords[] = {
      "the surface is held at a neck of radius {radius_mm:3g} mm: behind it the same "
      "intensities go on for at least {behind_ml:3g} ml, in front of it they fill "
      "{in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or give "
-     "--range, which holds nothing back"},
+     "{option:range}, which holds nothing back"},
     {K::heldAtHole, "held-at-hole",
      "the surface is held at a hole of radius {radius_mm:3g} mm in a thin wall: behind it "
      "the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill "
      "{in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or give "
-     "--range, which holds nothing back"},
+     "{option:range}, which holds nothing back"},
     {K::heldWhereItWidens, "held-where-it-widens",
      "the surface is held where its structure grows wider than a radius of {radius_mm:3g} "
      "mm: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of "
      "it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there "
-     "too, or give --range, which holds nothing back"},
+     "too, or give {option:range}, which holds nothing back"},
     {K::noEdge, "no-edge",
      QT_TRANSLATE_NOOP("Findings",
                        "{percent:0f} % of the surface lies where the image shows no edge: the object may go "
@@ -64,29 +64,30 @@ constexpr FindingWords kWords[] = {
          "where it goes on, put a seed there too")},
     {K::stuck, "stuck",
      "the surface got stuck: no part of a step could be kept, again and again (see the "
-     "rolled back events of the report); another --edge-length may help"},
+     "rolled back events of the report); another {option:edge-length} may help"},
     {K::frozen, "frozen",
      "the surface rests at places that would still move, because changes there failed or "
      "repeated again and again (see the rolled back events of the report); another "
-     "--edge-length or --smoothing may help"},
-    {K::hardlyGrown, "hardly-grown", "the surface hardly grew beyond its seed: look at --object and --range"},
+     "{option:edge-length} or {option:smoothing} may help"},
+    {K::hardlyGrown, "hardly-grown",
+     "the surface hardly grew beyond its seed: look at {option:object} and {option:range}"},
     {K::heldByCurvature, "held-by-curvature",
-     "the surface hardly grew beyond its seed: --curvature holds every front of a radius "
+     "the surface hardly grew beyond its seed: {option:curvature} holds every front of a radius "
      "below {radius_mm:3g} mm, and the seed is smaller; give it a larger radius, or lower "
-     "--curvature"},
+     "{option:curvature}"},
     {K::closeChoice, "close-choice",
      "the choice among {objects} objects is close (expected overlap with the one that is "
      "meant: Dice {dice:2g}): the next candidate holds {next_ml:3m} ml where this one "
-     "holds {this_ml:3m} ml; see --candidate"},
+     "holds {this_ml:3m} ml; see {option:candidate}"},
     {K::leaked, "leaked",
-     "the surface leaked at iteration {iteration}: {cause}; --wall-disc {disc} closes the "
+     "the surface leaked at iteration {iteration}: {cause}; {option:wall-disc} {disc} closes the "
      "passage"},
     {K::leakWalled, "leak-walled",
      "the surface leaked at iteration {iteration}: {cause}; a wall was put there "
-     "(--wall-disc {disc})"},
+     "({option:wall-disc} {disc})"},
     {K::leakStopped, "leak-stopped",
      "the surface leaked at iteration {iteration}: {cause}; the mesh is that of iteration "
-     "{mesh_iteration}, before it came there; --wall-disc {disc} closes the passage"},
+     "{mesh_iteration}, before it came there; {option:wall-disc} {disc} closes the passage"},
     {K::passage, "passage",
      QT_TRANSLATE_NOOP("Findings",
                        "it came through a passage {width_mm:1f} mm wide at {place:1f} from a space "
@@ -100,10 +101,8 @@ constexpr FindingWords kWords[] = {
                        "the pin {pin} holds nothing: the mesh is that of iteration {mesh_iteration}, and its "
                        "iteration never came")},
     {K::undecided, "undecided",
-     QT_TRANSLATE_NOOP(
-         "Findings",
-         "at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, "
-         "{hold} holds it without asking again")},
+     "at iteration {iteration} a limit of the topology holds: {cause}; {option:allow}={spot} lets it happen, "
+     "{option:hold}={spot} holds it without asking again"},
     {K::wouldEnclose, "would-enclose",
      QT_TRANSLATE_NOOP("Findings", "it would enclose a cavity of {ml:3g} ml at {place:1f}")},
     {K::wouldComeOff, "would-come-off",
@@ -266,7 +265,7 @@ constexpr FindingWords kWords[] = {
     {K::fillsView, "fills-view",
      "The seed is not in an object with a boundary of its own: what grows from it fills "
      "the field of view, up to the padding around the image. Where that is meant, say "
-     "whether it is dark or bright, or give --range."},
+     "whether it is dark or bright, or give {option:range}."},
     {K::rangeEmpty, "range-empty",
      QT_TRANSLATE_NOOP("Findings", "The range is empty: its lower end is above its upper end.")},
     {K::rangeWithoutVoxels, "range-without-voxels",

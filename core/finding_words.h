@@ -13,13 +13,13 @@ struct FindingWords {
   const char* text;
 };
 
-//! Of the kinds from fileRefused on, but for those of wordsOfDicom.
+//! Of the kinds from fileRefused to onlyFrame, but for those of wordsOfDicom, and from startAndGiven on.
 std::span<const FindingWords> wordsOfFiles();
 
 //! Of the kinds from dicomDamaged to decodingFailed.
 std::span<const FindingWords> wordsOfDicom();
 
-//! Of the kinds from colourAsLuminance on.
+//! Of the kinds from colourAsLuminance to noCavity.
 std::span<const FindingWords> wordsOfWarnings();
 
 //! The inverse of findingName; FindingKind::none for what is no name.

@@ -30,11 +30,18 @@ class Told : public Error, public CarriesFinding {
   Told(const Finding& finding, const std::string& message) : Error(message), CarriesFinding(finding) {}
 };
 
-//! What the error is about; FindingKind::none where there is only its message.
+//! What the error is about; FindingKind::none where there is only its message (saidBy has that).
 template <typename Error>
 Finding findingOf(const Error& error) {
   const auto* told = dynamic_cast<const CarriesFinding*>(&error);
   return told ? told->finding() : Finding();
+}
+
+//! The same, with a message that has no kind yet as FindingKind::other.
+template <typename Error>
+Finding saidBy(const Error& error) {
+  const Finding told = findingOf(error);
+  return told.any() ? told : Finding(FindingKind::other, {{"text", std::string(error.what())}});
 }
 
 }  // namespace handlebody

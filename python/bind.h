@@ -5,7 +5,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "core/finding.h"
 #include "core/io/decoder_settings.h"
 #include "core/volume/volume.h"
 #include "python/contour.h"
@@ -27,7 +29,7 @@ std::string pathOf(const py::object& path);
 Grid gridOf(const py::object& grid);
 //! For readings that begin now. Precondition: the caller holds the interpreter's lock.
 DecoderSettings decoderToUse();
-//! Issues handlebody.HandlebodyWarning for each sentence.
-void warn(const std::vector<std::string>& sentences);
+//! Issues handlebody.HandlebodyWarning for each.
+void warn(const std::vector<Finding>& findings);
 
 }  // namespace handlebody::python

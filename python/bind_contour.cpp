@@ -215,7 +215,7 @@ void bindResults(ContourClass& contour) {
       "certificate()\n\nOf mesh(): see Mesh.certificate.");
   contour.def("measure", &measuresOf, "measure()\n\nOf mesh(), with the intensities of the volume inside.");
   contour.def(
-      "warnings", [](const Contour& c) { return inPythonWords(sentences(reportOf(c, false).warnings)); },
+      "warnings", [](const Contour& c) { return sentences(reportOf(c, false).warnings, &asArgument); },
       "warnings()\n\nWhat to look at before the result is trusted: sentences, as the command line prints "
       "them.");
   contour.def(

@@ -99,7 +99,7 @@ VolumePointer readVolumeOf(const py::object& path, const py::object& series, std
   reference.selection.frame = frame;
   if (!spacing.is_none()) reference.selection.spacing = vectorFrom(spacing, "spacing");
   if (uneven != "resample" && uneven != "refuse")
-    throw UsageError("--uneven: '" + uneven + "' is not resample or refuse.");
+    throw UsageError("uneven: '" + uneven + "' is not resample or refuse.");
   if (uneven == "refuse") reference.selection.uneven = UnevenSlices::refuse;
   auto volume = std::make_shared<PythonVolume>();
   withoutLock([&] {
@@ -108,7 +108,7 @@ VolumePointer readVolumeOf(const py::object& path, const py::object& series, std
     volume->loaded = loadVolume(reference.path, reference.selection);
   });
   volume->reference = std::move(reference);
-  warn(sentences(volume->loaded.info.warnings));
+  warn(volume->loaded.info.warnings);
   return volume;
 }
 
@@ -189,7 +189,7 @@ void bindVolumeClass(py::module_& module) {
       "calibrated", [](const PythonVolume& v) { return v.loaded.info.calibrated; },
       "False: a spacing is assumed, and lengths in mm mean nothing.");
   volume.def_property_readonly(
-      "warnings", [](const PythonVolume& v) { return inPythonWords(sentences(v.loaded.info.warnings)); },
+      "warnings", [](const PythonVolume& v) { return sentences(v.loaded.info.warnings, &asArgument); },
       "What is doubtful about the file: sentences.");
   volume.def(
       "save", &saveVolume, py::arg("path"),
@@ -201,7 +201,7 @@ void bindVolumeClass(py::module_& module) {
 VoxelType phantomTypeOf(const std::string& name) {
   for (VoxelType type : {VoxelType::uint8, VoxelType::int16, VoxelType::float32})
     if (name == voxelTypeName(type)) return type;
-  throw UsageError("--type: '" + name + "' is not uint8, int16 or float32.");
+  throw UsageError("type: '" + name + "' is not uint8, int16 or float32.");
 }
 
 VolumePointer volumeOf(const Volume& made, const std::string& name) {

@@ -1,9 +1,8 @@
 #include "python/convert.h"
 
-#include <regex>
+#include <algorithm>
 
 #include "core/errors.h"
-#include "core/io/report/growth_options.h"
 
 namespace handlebody::python {
 
@@ -35,39 +34,10 @@ py::object toPython(const Json& json) {
 
 py::object toPython(const std::string& jsonText) { return toPython(Json::parse(jsonText)); }
 
-namespace {
-
-//! Those of clicks and of reading; the others are in the table of options.
-bool isOption(const std::string& name) {
-  for (const char* other : {"--seed", "--seed-ijk", "--background", "--background-ijk", "--series", "--frame",
-                            "--spacing", "--uneven", "--sampling", "--label", "--space", "--size", "--rotate",
-                            "--type", "--noise", "--bias", "--gap", "--random-seed"})
-    if (name == other) return true;
-  return findGrowthOption(name) != nullptr;
-}
-
-}  // namespace
-
-std::string inPythonWords(std::string sentence) {
-  static const std::regex option("--[a-z]+(-[a-z]+)*");
-  std::string out;
-  auto end = sentence.cbegin();
-  for (std::sregex_iterator at(sentence.cbegin(), sentence.cend(), option), none; at != none; ++at) {
-    out.append(end, (*at)[0].first);
-    std::string name = at->str();
-    if (isOption(name)) {
-      name.erase(0, 2);
-      std::replace(name.begin(), name.end(), '-', '_');
-    }
-    out += name;
-    end = (*at)[0].second;
-  }
-  return out.append(end, sentence.cend());
-}
-
-std::vector<std::string> inPythonWords(std::vector<std::string> sentences) {
-  for (std::string& sentence : sentences) sentence = inPythonWords(std::move(sentence));
-  return sentences;
+std::string asArgument(std::string_view option) {
+  std::string name(option);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
 }
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include <memory>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "core/io/report/json.h"
 #include "core/mesh/mesh.h"
@@ -21,9 +21,8 @@ py::object toPython(const Json& json);
 //! The same of JSON text.
 py::object toPython(const std::string& jsonText);
 
-//! A sentence of the engine with its options as Python has them: "--edge-length" becomes "edge_length".
-std::string inPythonWords(std::string sentence);
-std::vector<std::string> inPythonWords(std::vector<std::string> sentences);
+//! An option of the engine as Python has it: "edge-length" is "edge_length" (OptionSpelling).
+std::string asArgument(std::string_view option);
 
 //! (n, 3) float64 and (m, 3) int32, without a copy: what they show is kept alive by them, and cannot be
 //! written.

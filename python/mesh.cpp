@@ -38,7 +38,7 @@ void requireKnown(const std::string& path, const VolumeInfo* volume) {
 }
 
 CoordinateSpace spaceOf(const std::string& name) {
-  if (name != "LPS" && name != "RAS") throw UsageError("--space: '" + name + "' is not LPS or RAS.");
+  if (name != "LPS" && name != "RAS") throw UsageError("space: '" + name + "' is not LPS or RAS.");
   return name == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps;
 }
 
@@ -49,7 +49,7 @@ ObjectLabel labelOf(const SaveSettings& settings) {
     throw UsageError("name: '" + label.name + "' " + fault + ".");
   label.value = settings.label;
   if (label.value < 1 || label.value > kLargestLabel)
-    throw UsageError("--label: " + std::to_string(label.value) + " is not a whole number from 1 to " +
+    throw UsageError("label: " + std::to_string(label.value) + " is not a whole number from 1 to " +
                      std::to_string(kLargestLabel) + ".");
   return label;
 }

@@ -5,6 +5,8 @@
 
 #include "core/cancellation.h"
 #include "core/errors.h"
+#include "core/io/report/option_error.h"
+#include "core/told_error.h"
 #include "python/bind.h"
 #include "python/convert.h"
 
@@ -27,9 +29,14 @@ PyObject* newException(py::module_& module, const char* name, const py::object& 
   return type;
 }
 
-void raise(PyObject* type, const std::exception& error) {
-  PyErr_SetString(type, inPythonWords(error.what()).c_str());
+//! With its options as arguments: of what carries no finding, none names any.
+std::string messageOf(const std::exception& error) {
+  if (const auto* option = dynamic_cast<const OptionError*>(&error)) return option->message(&asArgument);
+  const Finding told = findingOf(error);
+  return told.any() ? sentence(told, &asArgument) : error.what();
 }
+
+void raise(PyObject* type, const std::exception& error) { PyErr_SetString(type, messageOf(error).c_str()); }
 
 void translate(std::exception_ptr thrown) {
   try {
@@ -79,9 +86,9 @@ std::string pathOf(const py::object& path) {
 
 DecoderSettings decoderToUse() { return {core().attr(kDecoder).cast<std::string>()}; }
 
-void warn(const std::vector<std::string>& sentences) {
-  for (const std::string& sentence : sentences)
-    if (PyErr_WarnEx(warning, inPythonWords(sentence).c_str(), 1) != 0) throw py::error_already_set();
+void warn(const std::vector<Finding>& findings) {
+  for (const std::string& told : sentences(findings, &asArgument))
+    if (PyErr_WarnEx(warning, told.c_str(), 1) != 0) throw py::error_already_set();
 }
 
 }  // namespace handlebody::python

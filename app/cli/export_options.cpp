@@ -12,8 +12,8 @@ void addContent(CLI::App& command, DicomContent& content) {
   const auto add = [&command](const std::string& name, std::string& text, const std::string& type,
                               const std::string& help) {
     const auto set = [&text, name](const std::string& given) {
-      if (const std::string fault = dicomTextFault(given); !fault.empty())
-        throw OptionError(name, "'" + given + "' " + fault + ".");
+      if (const Finding fault = dicomTextFinding(given); fault.any())
+        throw OptionError(name, sentence(fault) + ".");
       text = given;
     };
     command.add_option_function<std::string>(name, set, help)->type_name(type);

@@ -14,6 +14,7 @@
 #include "app/cli/progress.h"
 #include "core/cancellation.h"
 #include "core/errors.h"
+#include "core/io/refuse_input.h"
 #include "core/io/report/json.h"
 #include "core/io/report/label_file.h"
 #include "core/io/report/option_error.h"
@@ -88,11 +89,10 @@ void requireSmooth(const Grid& grid, double smoothing) {
                       " ");
 }
 
-//! What is wrong with a mask is told without a subject.
 LabelMesh meshOf(const Mask& mask, const MeshOptions& o) try {
   return handlebody::meshOf(mask, o.how);
 } catch (const InputError& error) {
-  throw InputError(o.labels + ": it " + error.what() + ".");
+  refuseSurface(o.labels, error);
 }
 
 //! It was certified as it was made: what fails then is the rounding.

@@ -12,4 +12,8 @@ void refuseInput(const std::string& path, const std::string& cause) {
   refuseInput(path, {FindingKind::other, {{"text", cause}}});
 }
 
+void refuseSurface(const std::string& path, const InputError& why) {
+  throw Told<InputError>(Finding(FindingKind::noSurface, {{"file", path}}, saidBy(why)));
+}
+
 }  // namespace handlebody

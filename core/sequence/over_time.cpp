@@ -21,9 +21,7 @@ constexpr double kMillilitre = 1000;  // mm³
 //! With what an error says as its cause.
 template <typename Error>
 Finding causedBy(FindingKind kind, const Error& error) {
-  Finding cause = findingOf(error);
-  if (!cause.any()) cause = {K::other, {{"text", std::string(error.what())}}};
-  return {kind, {}, std::move(cause)};
+  return {kind, {}, saidBy(error)};
 }
 
 Finding topologyChange(const FrameResult& from, const FrameResult& to) {

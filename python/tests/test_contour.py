@@ -157,6 +157,9 @@ def test_a_report_has_what_the_command_line_writes(grown):
     ({"edge-length": 1}, TypeError, "no option 'edge-length'"),
     ({"walls": "/absent/map.nii"}, handlebody.InputError, "/absent/map.nii"),
     ({"veto": "x"}, handlebody.UsageError, "veto: 'x' is not ITERATION:X,Y,Z"),
+    ({"wall_disc": "--range"}, handlebody.UsageError, "wall_disc: '--range' is not "),
+    ({"start": "a.stl", "given": "--range.stl"}, handlebody.UsageError,
+     r"^given: an object begins with one surface \(start\) or is one \(given\), not both\.$"),
 ])
 def test_options_without_meaning_are_one_sentence(ball, options, error, sentence):
     if "seed" not in options and options:

@@ -135,6 +135,20 @@ def test_a_frame_that_is_not_there_is_refused(torus_file):
         handlebody.read_volume(torus_file[0], uneven="x")
 
 
+def test_a_warning_names_arguments_and_leaves_file_names_as_they_are(tmp_path):
+    path = tmp_path / "a --frame b.nrrd"
+    header = ("NRRD0004\ntype: uint8\ndimension: 4\nspace: left-posterior-superior\nsizes: 3 3 3 2\n"
+              "space directions: (1,0,0) (0,1,0) (0,0,1) none\nspace origin: (0,0,0)\nencoding: raw\n\n")
+    path.write_bytes(header.encode() + bytes(range(54)))
+    with pytest.warns(handlebody.HandlebodyWarning, match=r"frame 0 is used \(frame chooses another\)"):
+        volume = handlebody.read_volume(path)
+    assert any("(frame chooses another)" in warning for warning in volume.warnings)
+    path.write_bytes(b"nothing")
+    with pytest.raises(handlebody.InputError) as error:
+        handlebody.read_volume(path)
+    assert str(path) in str(error.value)
+
+
 def test_what_is_doubtful_about_a_file_is_a_warning(torus_file):
     with pytest.warns(handlebody.HandlebodyWarning, match="spacing was given"):
         volume = handlebody.read_volume(torus_file[0], spacing=(1, 1, 1))

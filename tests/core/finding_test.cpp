@@ -22,12 +22,40 @@ TEST_CASE("every kind of finding has a name of its own and words", "[finding]") 
 }
 
 TEST_CASE("what stands in braces in the words of a finding is a name with a format", "[finding]") {
-  const std::regex hole(R"(\{[a-z_]+(: ?[0-9][fgm])?\})");
+  const std::regex hole(R"(\{([a-z_]+(: ?[0-9][fgm])?|option:[a-z]+(-[a-z]+)*)\})");
   for (int k = 0; k < kFindingKinds; ++k) {
     const std::string text = findingText(static_cast<FindingKind>(k));
     CAPTURE(text);
     CHECK(std::regex_replace(text, hole, "").find_first_of("{}") == std::string::npos);
   }
+}
+
+TEST_CASE("the words of findings name options in braces alone", "[finding]") {
+  const std::regex command(R"(\(handlebody-cli [^)]*\))");  // to be typed as it is, whoever tells it
+  for (int k = 0; k < kFindingKinds; ++k) {
+    const std::string text = findingText(static_cast<FindingKind>(k));
+    CAPTURE(text);
+    CHECK_FALSE(std::regex_search(std::regex_replace(text, command, ""), std::regex("--[a-z]")));
+  }
+}
+
+TEST_CASE("who tells a finding says how its options are written", "[finding]") {
+  const OptionSpelling shouted = [](std::string_view option) { return "<" + std::string(option) + ">"; };
+  const Finding grown(FindingKind::stuck);
+  CHECK_THAT(sentence(grown), Catch::Matchers::Contains("another --edge-length may help"));
+  CHECK_THAT(sentence(grown, shouted), Catch::Matchers::Contains("another <edge-length> may help"));
+  CHECK(sentences({grown}, shouted) == std::vector{sentence(grown, shouted)});
+  const Finding chosen(FindingKind::fileRefused, {{"file", std::string("a --series.dcm")}},
+                       FindingKind::severalToChoose);
+  CHECK(sentence(chosen, shouted) ==
+        "a --series.dcm: it holds several series or stacks, choose one with <series>.");
+  const Finding asked(
+      FindingKind::undecided,
+      {{"iteration", 3}, {"spot", std::string("1,2,3.5")}, {"allow", std::string("--allow=")}},
+      Finding(FindingKind::frontsWouldMeet, {{"place", std::array{1.0, 2.0, 3.5}}}));
+  CHECK_THAT(sentence(asked), Catch::Matchers::EndsWith("; --allow=1,2,3.5 lets it happen, --hold=1,2,3.5 "
+                                                        "holds it without asking again"));
+  CHECK_THAT(sentence(asked, shouted), Catch::Matchers::Contains("; <allow>=1,2,3.5 lets it happen"));
 }
 
 TEST_CASE("a finding is told in English with its numbers", "[finding]") {
@@ -91,4 +119,7 @@ TEST_CASE("an error says its finding and keeps it", "[finding]") {
   CHECK(error.finding().number("now") == 7);
   CHECK(findingOf(static_cast<const UsageError&>(error)).kind == FindingKind::vetoTooLate);
   CHECK_FALSE(findingOf(UsageError("words alone")).any());
+  CHECK(saidBy(static_cast<const UsageError&>(error)).kind == FindingKind::vetoTooLate);
+  CHECK(saidBy(UsageError("words alone")).kind == FindingKind::other);
+  CHECK(sentence(saidBy(UsageError("words alone"))) == "words alone");
 }

@@ -195,6 +195,12 @@ TEST_CASE("a series whose UIDs were blanked gives a segmentation without referen
   CHECK_FALSE(holds(readBytes(path), std::string("\x08\0\x55\x11", 4)));
 }
 
+TEST_CASE("a text that DICOM cannot hold is told with what is wrong with it") {
+  CHECK_FALSE(dicomTextFinding("Roe^Ann").any());
+  CHECK(sentence(dicomTextFinding("A\\B")) == "'A\\B' holds a control character or a backslash");
+  CHECK(dicomTextFinding(std::string(65, 'x')).kind == FindingKind::dicomTextTooLong);
+}
+
 TEST_CASE("no DICOM file is made for a volume that does not lie in a patient's series") {
   CHECK_THAT(dicomFault(nullptr), Contains("was not read from DICOM"));
   std::vector<Slice> nowhere = evenStack(4);

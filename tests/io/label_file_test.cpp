@@ -2,6 +2,8 @@
 
 #include "core/io/report/label_file.h"
 
+#include "core/io/refuse_input.h"
+#include "core/told_error.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/overlapping_segments.h"
 
@@ -123,5 +125,15 @@ TEST_CASE("a file whose header counts its layers wrong has no more labels than v
     LabelFile file(folder / "wrong.seg.nrrd");
     CHECK(file.labels().size() == 3);
     CHECK(file.mask(1).count() == 15 * 13 * 4);
+  }
+}
+
+TEST_CASE("why a mask becomes no surface is told of its file, with the cause") {
+  try {
+    refuseSurface("a.nii", Told<InputError>(Finding(FindingKind::surfaceTooLarge, {{"most", 100}})));
+  } catch (const InputError& error) {
+    CHECK(std::string(error.what()) == "a.nii: it has a surface of more than 100 triangles.");
+    CHECK(findingOf(error).kind == FindingKind::noSurface);
+    CHECK(findingOf(error).causes.at(0).kind == FindingKind::surfaceTooLarge);
   }
 }

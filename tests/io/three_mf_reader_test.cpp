@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "core/io/meshes/three_mf.h"
@@ -45,6 +46,14 @@ TriangleSoup readBytesAs3mf(const std::string& bytes) {
 
 TriangleSoup readModel(const std::string& xml) { return readBytesAs3mf(archiveOfModel(xml)); }
 
+//! So that another language has words for it: no value is a piece of a sentence.
+bool isToldByKinds(const Finding& finding) {
+  for (const auto& [name, value] : finding.values)
+    if (name != "part" && name != "unit" && name != "reason" && std::holds_alternative<std::string>(value))
+      return false;
+  return std::all_of(finding.causes.begin(), finding.causes.end(), isToldByKinds);
+}
+
 //! In one line that begins with the path, ends with the cause, and has a kind.
 void expectRefused(const std::string& bytes, FindingKind kind, const std::string& cause) {
   const TemporaryFolder folder;
@@ -64,6 +73,7 @@ void expectRefused(const std::string& bytes, FindingKind kind, const std::string
   CHECK(message.find('\n') == std::string::npos);
   REQUIRE(finding.causes.size() == 1);
   CHECK(findingName(finding.causes[0].kind) == std::string(findingName(kind)));
+  if (kind == FindingKind::damagedBecause) CHECK(isToldByKinds(finding.causes[0].causes.at(0)));
   CHECK(sentence(finding) == message);
 }
 
@@ -124,7 +134,7 @@ TEST_CASE("the units of 3MF become millimetres, those of its transforms too; wit
     CHECK((read.points[0] - mm * Vec3(2, 3, 4)).norm() < 1e-9 * mm);
   }
   CHECK(signedVolume(readModel(tetrahedronWith(""))) == Approx(1.0 / 6));
-  expectModelRefused(tetrahedronWith("", "unit=\"parsec\""), K::damagedAt, "unit parsec");
+  expectModelRefused(tetrahedronWith("", "unit=\"parsec\""), K::damagedBecause, "unit parsec");
 }
 
 TEST_CASE("a transform of 3MF multiplies rows: its first row is where x goes, its last one the shift") {
@@ -207,7 +217,7 @@ TEST_CASE(
   REQUIRE(read.points.size() == 8);
   CHECK(read.points[1] == Vec3(17, 0, 0));
   CHECK(read.points[5] == Vec3(10, 0, 0));
-  expectRefused(archiveOf({{"3D/3dmodel.model", root}}), K::damagedAt, "3D/a.model is missing");
+  expectRefused(archiveOf({{"3D/3dmodel.model", root}}), K::damagedBecause, "3D/a.model is missing");
 }
 
 TEST_CASE("what 3MF has besides the core is ignored, unless the file says that it cannot be read without") {
@@ -249,7 +259,7 @@ TEST_CASE("faces of 3MF that name no vertex are refused") {
 TEST_CASE("transforms, objects and items of 3MF that make no sense are refused") {
   for (const char* bad : {"", "1 0 0 0 1 0 0 0 1 0 0", "1 0 0 0 1 0 0 0 1 0 0 0 0", "1 0 0 0 1 0 0 0 1 0 0 x",
                           "nan 0 0 0 1 0 0 0 1 0 0 0", "1e999 0 0 0 1 0 0 0 1 0 0 0"})
-    expectModelRefused(tetrahedronWith("transform=\"" + std::string(bad) + "\""), K::damagedAt,
+    expectModelRefused(tetrahedronWith("transform=\"" + std::string(bad) + "\""), K::damagedBecause,
                        "twelve numbers");
   expectModelRefused(tetrahedronWith("transform=\"1.7e308 0 0 0 1 0 0 0 1 1.7e308 0 0\""), K::badCoordinate,
                      "not a number or infinite");
@@ -261,41 +271,44 @@ TEST_CASE("components of 3MF that hold themselves, are missing, too deep or too 
     for (const int other : others) all += "<component objectid=\"" + std::to_string(other) + "\"/>";
     return object(id, all + "</components>");
   };
-  expectModelRefused(model(holding(1, {1}), "<item objectid=\"1\"/>"), K::damagedAt, "object 1 holds itself");
-  expectModelRefused(model(holding(1, {2}) + holding(2, {1}), "<item objectid=\"1\"/>"), K::damagedAt,
+  expectModelRefused(model(holding(1, {1}), "<item objectid=\"1\"/>"), K::damagedBecause,
                      "object 1 holds itself");
-  expectModelRefused(model(holding(1, {2}), "<item objectid=\"1\"/>"), K::damagedAt, "object 2 is missing");
-  expectModelRefused(model("", "<item objectid=\"1\"/>"), K::damagedAt, "object 1 is missing");
-  expectModelRefused(model(object(1, kTetrahedron), "<item/>"), K::damagedAt, "without an object");
-  expectModelRefused(model(object(1, "") + object(1, ""), ""), K::damagedAt, "two objects 1");
-  expectModelRefused(model("<object/>", ""), K::damagedAt, "an object without a number");
+  expectModelRefused(model(holding(1, {2}) + holding(2, {1}), "<item objectid=\"1\"/>"), K::damagedBecause,
+                     "object 1 holds itself");
+  expectModelRefused(model(holding(1, {2}), "<item objectid=\"1\"/>"), K::damagedBecause,
+                     "object 2 is missing");
+  expectModelRefused(model("", "<item objectid=\"1\"/>"), K::damagedBecause, "object 1 is missing");
+  expectModelRefused(model(object(1, kTetrahedron), "<item/>"), K::damagedBecause, "without an object");
+  expectModelRefused(model(object(1, "") + object(1, ""), ""), K::damagedBecause, "two objects 1");
+  expectModelRefused(model("<object/>", ""), K::damagedBecause, "an object without a number");
   std::string chain = object(1, kTetrahedron), bush = chain;
   for (int id = 2; id <= 40; ++id) {
     chain += holding(id, {id - 1});
     bush += holding(id, std::vector<int>(id < 8 ? 10 : 1, id - 1));
   }
   CHECK(readModel(model(chain, "<item objectid=\"20\"/>")).triangles.size() == 4);
-  expectModelRefused(model(chain, "<item objectid=\"40\"/>"), K::damagedAt, "too deeply nested components");
+  expectModelRefused(model(chain, "<item objectid=\"40\"/>"), K::damagedBecause,
+                     "too deeply nested components");
   CHECK(readModel(model(bush, "<item objectid=\"4\"/>")).triangles.size() == 4000);
-  expectModelRefused(model(bush, "<item objectid=\"8\"/>"), K::damagedAt, "more than 1000000 objects");
+  expectModelRefused(model(bush, "<item objectid=\"8\"/>"), K::damagedBecause, "more than 1000000 objects");
 }
 
 TEST_CASE("XML that is damaged or hostile is refused with its line, before anything multiplies") {
   const std::string xml = tetrahedronWith("");
-  expectModelRefused(xml.substr(0, xml.size() - 4), K::damagedAt, "XML: ");
-  expectModelRefused(xml + "<more/>", K::damagedAt, "in line 2 of 3D/m.model");
-  expectModelRefused("", K::damagedAt, "XML: no element found");
-  expectModelRefused("This is a letter.", K::damagedAt, "XML: ");
-  expectModelRefused("<x:model/>", K::damagedAt, "XML: unbound prefix");
+  expectModelRefused(xml.substr(0, xml.size() - 4), K::damagedBecause, "XML: ");
+  expectModelRefused(xml + "<more/>", K::damagedBecause, "in line 2 of 3D/m.model");
+  expectModelRefused("", K::damagedBecause, "XML: no element found");
+  expectModelRefused("This is a letter.", K::damagedBecause, "XML: ");
+  expectModelRefused("<x:model/>", K::damagedBecause, "XML: unbound prefix");
   expectModelRefused("<model/>", K::notOfFormat, "not a 3MF file");
   std::string doctype = xml;
   doctype.insert(doctype.find("<model"), "<!DOCTYPE model [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;&a;\">]>");
-  expectModelRefused(doctype, K::damagedAt, "a document type declaration");
+  expectModelRefused(doctype, K::damagedBecause, "a document type declaration");
   std::string deep = xml, wide = xml;
   for (int i = 0; i < 70; ++i) deep.insert(deep.find("<resources>"), "<a>");
-  expectModelRefused(deep, K::damagedAt, "too deeply nested XML");
+  expectModelRefused(deep, K::damagedBecause, "too deeply nested XML");
   wide.insert(wide.find("<resources>"), "<a b=\"" + std::string(3 << 20, 'c') + "\"/>");
-  expectModelRefused(wide, K::damagedAt, "a tag of more than a megabyte");
+  expectModelRefused(wide, K::damagedBecause, "a tag of more than a megabyte");
   std::string text = xml;
   text.insert(text.find("<resources>"), std::string(3 << 20, ' '));
   CHECK(readModel(text).triangles.size() == 4);
@@ -309,22 +322,22 @@ TEST_CASE("what is no 3MF package is refused") {
       "Target=\"/3D/no\nsuch.model\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
       "</Relationships>";
   expectRefused(archiveOf({{"_rels/.rels", relationships}, {"3D/3dmodel.model", tetrahedronWith("")}}),
-                K::damagedAt, "3D/no such.model is missing");
-  expectRefused(archiveOf({{"_rels/.rels", "<Relationships>"}}), K::damagedAt, "of _rels/.rels");
+                K::damagedBecause, "3D/no such.model is missing");
+  expectRefused(archiveOf({{"_rels/.rels", "<Relationships>"}}), K::damagedBecause, "of _rels/.rels");
 }
 
 TEST_CASE("an encrypted 3MF file says so, and one packed in a way that 3MF does not know is refused") {
   expectRefused(archiveOf({{"3D/3dmodel.model", tetrahedronWith(""), ZIP_CM_DEFLATE, true}}),
                 K::encryptedFile, "it is encrypted");
   if (zip_compression_method_supported(ZIP_CM_BZIP2, 1))
-    expectRefused(archiveOf({{"3D/3dmodel.model", tetrahedronWith(""), ZIP_CM_BZIP2}}), K::damagedAt,
+    expectRefused(archiveOf({{"3D/3dmodel.model", tetrahedronWith(""), ZIP_CM_BZIP2}}), K::damagedBecause,
                   "the compression of 3D/3dmodel.model");
 }
 
 TEST_CASE("a 3MF file that unpacks to a hundred times its size and more is refused once that takes long") {
   std::string xml = tetrahedronWith("");
   xml.insert(xml.find("<resources>"), std::string(std::size_t{70} << 20, ' '));
-  expectRefused(archiveOf({{"3D/3dmodel.model", xml, ZIP_CM_DEFLATE}}), K::damagedAt,
+  expectRefused(archiveOf({{"3D/3dmodel.model", xml, ZIP_CM_DEFLATE}}), K::damagedBecause,
                 "the size of 3D/3dmodel.model");
 }
 
@@ -334,11 +347,11 @@ TEST_CASE("sizes that no archive of this length can hold are refused before they
   for (const std::uint32_t size : {0x7fffffffu, 0xfffffff0u, 5u}) {
     std::string bytes = whole;
     patch(bytes, central + 24, size);  // unpacked
-    expectRefused(bytes, K::damagedAt, "the size of 3D/3dmodel.model");
+    expectRefused(bytes, K::damagedBecause, "the size of 3D/3dmodel.model");
   }
   std::string bytes = whole;
   patch(bytes, central + 20, 0x7fffffffu);  // packed
-  expectRefused(bytes, K::damagedAt, "the size of 3D/3dmodel.model");
+  expectRefused(bytes, K::damagedBecause, "the size of 3D/3dmodel.model");
 }
 
 TEST_CASE(

@@ -1,5 +1,9 @@
 // The dependency rule, on the project itself and on small trees that break it.
 
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
 #include "tests/layering/include_rules.h"
 #include "tests/support/catch.h"
 
@@ -9,6 +13,22 @@ namespace {
 
 SourceTree including(const std::string& path, const std::string& include) {
   return {{path, "#pragma once\n#include " + include + "\n"}};
+}
+
+//! The lines of a source in which a text names an option of the command line; not what is in comments, nor
+//! a command that is told with its options.
+std::string namedOptions(const std::string& source) {
+  std::string found;
+  std::istringstream lines(source);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string code = line.substr(0, line.find("//"));
+    for (auto at = code.find("--"); at != std::string::npos; at = code.find("--", at + 2)) {
+      const bool isText = std::count(code.begin(), code.begin() + at, '"') % 2 == 1;
+      const bool isName = at + 2 < code.size() && std::islower(static_cast<unsigned char>(code[at + 2]));
+      if (isText && isName && code.rfind("(handlebody-cli ", at) == std::string::npos) found += code + '\n';
+    }
+  }
+  return found;
 }
 
 bool breaks(const std::string& path, const std::string& include) {
@@ -25,6 +45,16 @@ TEST_CASE("no include of the project breaks the dependency rule") {
   std::string all;
   for (const std::string& broken : brokenRules(sources)) all += broken + "\n";
   CHECK(all == "");
+}
+
+TEST_CASE("the engine's texts name no option as the command line writes it") {
+  CHECK(namedOptions("f(\"--range\");\nf(\"\", --n);  // \"--seed\"") == "f(\"--range\");\n");
+  for (const auto& [path, source] : readSources(HANDLEBODY_SOURCE_DIR)) {
+    // In the report's folder are the options themselves, and what of them stands in reports.
+    if (path.rfind("core/", 0) != 0 || path.rfind("core/io/report/", 0) == 0) continue;
+    INFO(path);
+    CHECK(namedOptions(source) == "");
+  }
 }
 
 TEST_CASE("the engine's library links Eigen, threads and nothing else") {

@@ -18,7 +18,7 @@ struct Words {
   const char* text;
 };
 
-// Where the English words of the engine name an option of the command line.
+// Where the English words of the engine name an option, or are another's alone.
 constexpr Words kWords[] = {
     {K::heldAtNeck,
      QT_TRANSLATE_NOOP("Findings",
@@ -122,6 +122,10 @@ constexpr Words kWords[] = {
     {K::seriesToChoose,
      QT_TRANSLATE_NOOP("Findings",
                        "it holds {series:0f} series or stacks, choose one in step 1, Open: {choices}")},
+    {K::startAndGiven,
+     QT_TRANSLATE_NOOP("Findings", "an object begins with one surface or is one, not both.")},
+    {K::jsonUnexpected,
+     QT_TRANSLATE_NOOP("Findings", "something in it is not what it should be ({reason}).")},
     {K::noLatticePoint,
      QT_TRANSLATE_NOOP("Findings", "No point of the lattice lies in A or B: there is no Dice coefficient.")},
 };
@@ -167,7 +171,8 @@ QString findingText(const Finding& finding) {
       [](std::string_view, const FindingValue& value, std::string_view format) {
         return written(value, format).toStdString();
       },
-      [](const Finding& cause) { return findingText(cause).toStdString(); }));
+      [](const Finding& cause) { return findingText(cause).toStdString(); },
+      &dashed));  // there is none in the words above
 }
 
 QString findingText(const std::vector<Finding>& findings) {

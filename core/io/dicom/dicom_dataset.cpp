@@ -39,22 +39,13 @@ bool namesImages(const DicomOrigin& origin) {
                       [](const DicomImage& i) { return i.sopClass.empty() || i.instance.empty(); });
 }
 
-namespace {
-
-Finding textFinding(const std::string& text) {
+Finding dicomTextFinding(const std::string& text) {
   constexpr std::size_t kMaxBytes = 64;  // characters, of LO and PN; bytes are never less
   if (text.size() > kMaxBytes) return {FindingKind::dicomTextTooLong, {{"text", text}}};
   for (const char c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\')
       return {FindingKind::dicomTextControl, {{"text", text}}};
   return {};
-}
-
-}  // namespace
-
-std::string dicomTextFault(const std::string& text) {
-  const std::string all = sentence(textFinding(text)), quoted = "'" + text + "' ";
-  return all.empty() ? all : all.substr(quoted.size());
 }
 
 namespace dicom {
@@ -151,7 +142,7 @@ void checkExport(const DicomOrigin& origin, const DicomContent& content, const s
     throw OutputError(path + ": cannot be written: the data dictionary of DCMTK is not there.");
   if (const Finding fault = dicomFinding(&origin); fault.any()) refuseDicom(path, fault);
   for (const std::string& text : {content.creator, content.description})
-    if (const Finding fault = textFinding(text); fault.any()) refuseDicom(path, fault);
+    if (const Finding fault = dicomTextFinding(text); fault.any()) refuseDicom(path, fault);
 }
 
 void addPatientAndStudy(DcmItem& data, const DicomOrigin& origin, const DicomContent& content,

@@ -36,8 +36,8 @@ Finding dicomFinding(const DicomOrigin* origin);
 //! were made anonymous are empty. A file made from such a series gets a new study UID and no references.
 bool namesImages(const DicomOrigin& origin);
 
-//! Empty if `text` can stand in a DICOM field of 64 characters; else why not, as the end of a sentence.
-std::string dicomTextFault(const std::string& text);
+//! None if `text` can stand in a DICOM field of 64 characters; else why not, without a full stop.
+Finding dicomTextFinding(const std::string& text);
 
 //! Writes the label map of the objects as a binary DICOM Segmentation (PS3.3 A.51): a segment per object,
 //! numbered from 1, with a frame for every slice between its first and last. Each frame refers to its source

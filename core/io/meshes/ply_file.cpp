@@ -141,7 +141,7 @@ class PlyReader {
     double value = 0;
     const auto result = std::from_chars(bytes_.data() + at_, end, value);
     if (result.ec != std::errc())
-      refuse({FindingKind::damagedAt, {{"format", std::string("PLY")}, {"field", std::string("a number")}}});
+      refuse({FindingKind::damagedBecause, {{"format", std::string("PLY")}}, FindingKind::badNumber});
     at_ = static_cast<std::size_t>(result.ptr - bytes_.data());
     return value;
   }
@@ -189,7 +189,7 @@ class PlyReader {
   void readList(const Property& p, bool corners) {
     const double n = number(p.countType);
     if (!(n >= 0))
-      refuse({FindingKind::damagedAt, {{"format", std::string("PLY")}, {"field", std::string("a list")}}});
+      refuse({FindingKind::damagedBecause, {{"format", std::string("PLY")}}, FindingKind::badList});
     list_.clear();
     for (double i = 0; i < n; ++i) list_.push_back(number(p.type));
     if (!corners) return;

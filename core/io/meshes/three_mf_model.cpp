@@ -132,7 +132,7 @@ class ModelReader : public XmlHandler {
   void readModel(const XmlAttributes& attributes) {
     if (const char* unit = attributes.find("unit")) {
       const std::optional<double> known = three_mf::unitCalled(std::string(trimmed(unit)));
-      if (!known) refuseThreeMf(path_, "unit " + shown(unit));
+      if (!known) refuseThreeMf(path_, {FindingKind::unitUnknown, {{"unit", shown(unit)}}});
       unit_ = *known;
     }
     const char* required = attributes.find("requiredextensions");
@@ -155,9 +155,9 @@ class ModelReader : public XmlHandler {
   void readObject(const XmlAttributes& attributes) {
     count_.add(0, 0, 1);
     const std::optional<int> id = three_mf::index(attributes.find("id"));
-    if (!id) refuseThreeMf(path_, "an object without a number");
+    if (!id) refuseThreeMf(path_, FindingKind::objectWithoutNumber);
     const auto [at, isNew] = model.objects.try_emplace(*id);
-    if (!isNew) refuseThreeMf(path_, "two objects " + std::to_string(*id));
+    if (!isNew) refuseThreeMf(path_, {FindingKind::objectTwice, {{"object", *id}}});
     object_ = &at->second;
     object_->isBody = isBody(attributes.find("type"));
   }
@@ -193,12 +193,12 @@ class ModelReader : public XmlHandler {
     count_.add(0, 0, 1);
     ThreeMfPlacement placement;
     const std::optional<int> id = three_mf::index(attributes.find("objectid"));
-    if (!id) refuseThreeMf(path_, "a component or an item without an object");
+    if (!id) refuseThreeMf(path_, FindingKind::itemWithoutObject);
     placement.object = *id;
     if (const char* part = attributes.find(kPath)) placement.part = trimmed(part, "/ \t\r\n");
     if (const char* text = attributes.find("transform")) {
       const std::optional<Eigen::Affine3d> read = three_mf::transform(text, unit_);
-      if (!read) refuseThreeMf(path_, "a transform that is not twelve numbers");
+      if (!read) refuseThreeMf(path_, FindingKind::badTransform);
       placement.transform = *read;
     }
     to.push_back(std::move(placement));
@@ -215,8 +215,8 @@ class ModelReader : public XmlHandler {
 
 }  // namespace
 
-void refuseThreeMf(const std::string& path, const std::string& field) {
-  refuseInput(path, {FindingKind::damagedAt, {{"format", std::string(kThreeMf)}, {"field", field}}});
+void refuseThreeMf(const std::string& path, const Finding& cause) {
+  refuseInput(path, {FindingKind::damagedBecause, {{"format", std::string(kThreeMf)}}, cause});
 }
 
 void ThreeMfCount::add(std::size_t points, std::size_t triangles, std::size_t entries) {
@@ -227,8 +227,7 @@ void ThreeMfCount::add(std::size_t points, std::size_t triangles, std::size_t en
   entries_ += entries;
   if (points_ > kMost || triangles_ > kMost)
     refuseInput(path_, {FindingKind::surfaceTooLarge, {{"most", kMost}}});
-  if (entries_ > kMostEntries)
-    refuseThreeMf(path_, "more than " + std::to_string(kMostEntries) + " objects and components");
+  if (entries_ > kMostEntries) refuseThreeMf(path_, {FindingKind::objectsTooMany, {{"most", kMostEntries}}});
 }
 
 ThreeMfModel readThreeMfModel(ZipReader& archive, std::uint64_t entry, const std::string& name,

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/finding.h"
 #include "core/io/meshes/mesh_io.h"
 
 namespace handlebody {
@@ -17,8 +18,8 @@ inline constexpr const char* kThreeMfCore = "http://schemas.microsoft.com/3dmanu
 //! Of what we write besides: the metadata "Space", LPS or RAS.
 inline constexpr const char* kThreeMfOurs = "http://handlebody.example.org/3mf";
 
-//! Throws InputError: the file is damaged, in that.
-[[noreturn]] void refuseThreeMf(const std::string& path, const std::string& field);
+//! Throws InputError: the file is damaged, and why.
+[[noreturn]] void refuseThreeMf(const std::string& path, const Finding& cause);
 
 //! What a file may hold in all: a few kB of components of components would fill any memory.
 class ThreeMfCount {

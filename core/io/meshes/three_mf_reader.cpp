@@ -88,7 +88,7 @@ class Package {
 
   std::uint64_t partCalled(const std::string& name) const {
     const std::optional<std::uint64_t> entry = archive_.find(name);
-    if (!entry) refuseThreeMf(path_, shown(name) + " is missing");
+    if (!entry) refuseThreeMf(path_, {FindingKind::partMissing, {{"part", shown(name)}}});
     return *entry;
   }
 
@@ -116,13 +116,13 @@ class Package {
             std::vector<Place>& within, ThreeMfCount& visited, const Visit& visit) {
     visited.add(0, 0, 1);
     const Place place{placement.part.empty() ? from : partCalled(placement.part), placement.object};
-    const std::string name = "object " + std::to_string(place.object);
     const auto& objects = part(place.part).objects;
     const auto object = objects.find(place.object);
-    if (object == objects.end()) refuseThreeMf(path_, name + " is missing");
+    if (object == objects.end())
+      refuseThreeMf(path_, {FindingKind::objectMissing, {{"object", place.object}}});
     if (std::find(within.begin(), within.end(), place) != within.end())
-      refuseThreeMf(path_, name + " holds itself");
-    if (within.size() == kDeepest) refuseThreeMf(path_, "too deeply nested components");
+      refuseThreeMf(path_, {FindingKind::objectHoldsItself, {{"object", place.object}}});
+    if (within.size() == kDeepest) refuseThreeMf(path_, FindingKind::objectsNested);
     const Pose pose = inside(outer, placement.transform);
     if (object->second.isBody) visit(object->second.mesh, pose);
     within.push_back(place);

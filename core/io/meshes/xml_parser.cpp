@@ -31,11 +31,11 @@ struct XmlParser::State {
   int depth = 0;
   XML_Index taken = 0;
 
-  [[noreturn]] void refuse(const std::string& what) const {
+  [[noreturn]] void refuse(const Finding& what) const {
     const auto line = static_cast<unsigned long long>(XML_GetCurrentLineNumber(parser.get()));
-    refuseInput(path, {FindingKind::damagedAt,
-                       {{"format", format},
-                        {"field", shown(what) + " in line " + std::to_string(line) + " of " + shown(part)}}});
+    refuseInput(path, {FindingKind::damagedBecause,
+                       {{"format", format}},
+                       Finding(FindingKind::xmlAt, {{"line", line}, {"part", shown(part)}}, what)});
   }
 
   //! Nothing may be thrown through expat, which is C.
@@ -55,7 +55,7 @@ struct XmlParser::State {
   static void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** attributes) {
     State& s = of(user);
     s.guarded([&] {
-      if (++s.depth > kDeepest) s.refuse("too deeply nested XML");
+      if (++s.depth > kDeepest) s.refuse(FindingKind::xmlNested);
       s.handler.start(name, XmlAttributes(attributes));
     });
   }
@@ -76,7 +76,7 @@ struct XmlParser::State {
   }
   static void XMLCALL onType(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
     State& s = of(user);
-    s.guarded([&] { s.refuse("a document type declaration"); });
+    s.guarded([&] { s.refuse(FindingKind::xmlWithType); });
   }
 
   void parse(std::string_view bytes, bool isLast) {
@@ -86,11 +86,11 @@ struct XmlParser::State {
     if (status != XML_STATUS_OK) {
       const XML_Error error = XML_GetErrorCode(parser.get());
       if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-      refuse(std::string("XML: ") + XML_ErrorString(error));
+      refuse({FindingKind::xmlFault, {{"reason", shown(XML_ErrorString(error))}}});
     }
     taken += static_cast<XML_Index>(bytes.size());
     if (!isLast && taken - XML_GetCurrentByteIndex(parser.get()) > kLongestTag)
-      refuse("a tag of more than a megabyte");
+      refuse(FindingKind::xmlTagTooLong);
   }
 };
 

@@ -67,8 +67,9 @@ std::string ZipReader::nameOf(std::uint64_t entry) const {
   return name ? shown(name) : std::to_string(entry);
 }
 
-void ZipReader::refuse(const std::string& field) const {
-  refuseInput(path_, {FindingKind::damagedAt, {{"format", format_}, {"field", field}}});
+void ZipReader::refuse(FindingKind kind, std::uint64_t entry) const {
+  refuseInput(path_,
+              {FindingKind::damagedBecause, {{"format", format_}}, Finding(kind, {{"part", nameOf(entry)}})});
 }
 
 std::uint64_t ZipReader::checkedSize(std::uint64_t entry) {
@@ -77,15 +78,15 @@ std::uint64_t ZipReader::checkedSize(std::uint64_t entry) {
   constexpr zip_uint64_t kNeeded =
       ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
   if (zip_stat_index(archive_.get(), entry, 0, &is) != 0 || (is.valid & kNeeded) != kNeeded)
-    refuse(nameOf(entry));
+    refuseInput(path_, {FindingKind::damagedAt, {{"format", format_}, {"field", nameOf(entry)}}});
   if (is.encryption_method != ZIP_EM_NONE) refuseInput(path_, FindingKind::encryptedFile);
   const bool isStored = is.comp_method == ZIP_CM_STORE;
-  if (!isStored && is.comp_method != ZIP_CM_DEFLATE) refuse("the compression of " + nameOf(entry));
+  if (!isStored && is.comp_method != ZIP_CM_DEFLATE) refuse(FindingKind::packingOf, entry);
   const bool isPossible =
       is.comp_size <= fileSize_ && is.size <= (isStored ? is.comp_size : mostUnpacked(is.comp_size));
   // All together, too: many entries may share the same packed bytes.
   if (isPossible) declared_ += is.size;
-  if (!isPossible || declared_ > mostUnpacked(fileSize_)) refuse("the size of " + nameOf(entry));
+  if (!isPossible || declared_ > mostUnpacked(fileSize_)) refuse(FindingKind::sizeOf, entry);
   return is.size;
 }
 
@@ -98,12 +99,12 @@ void ZipReader::read(std::uint64_t entry, const std::function<void(std::string_v
   for (;;) {
     const zip_int64_t n = zip_fread(file.get(), piece.data(), piece.size());
     if (n < 0) refuseArchive(path_, format_, zip_error_code_zip(zip_file_get_error(file.get())));
-    if (static_cast<std::uint64_t>(n) > left) refuse("the size of " + nameOf(entry));
+    if (static_cast<std::uint64_t>(n) > left) refuse(FindingKind::sizeOf, entry);
     if (n == 0) break;
     left -= static_cast<std::uint64_t>(n);
     take({piece.data(), static_cast<std::size_t>(n)});
   }
-  if (left > 0) refuse("the size of " + nameOf(entry));
+  if (left > 0) refuse(FindingKind::sizeOf, entry);
 }
 
 namespace {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/finding_kind.h"
+
 struct zip;  // of libzip
 
 namespace handlebody {
@@ -33,7 +35,7 @@ class ZipReader {
   //! The size that the entry declares.
   std::uint64_t checkedSize(std::uint64_t entry);
   std::string nameOf(std::uint64_t entry) const;
-  [[noreturn]] void refuse(const std::string& field) const;
+  [[noreturn]] void refuse(FindingKind kind, std::uint64_t entry) const;
 
   std::string path_, format_;
   std::unique_ptr<::zip, void (*)(::zip*)> archive_;

@@ -50,11 +50,10 @@ Json directedJson(const DirectedDistances& d) {
 
 Json optionalJson(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-//! What is wrong with a mask is told without a subject.
 ComparedObject comparedMask(const std::string& name, const Mask& mask, std::optional<int> label) try {
   return {name, label, solidOf(mask)};
 } catch (const InputError& error) {
-  throw InputError(name + ": it " + error.what() + ".");
+  refuseSurface(name, error);
 }
 
 std::optional<double> volumeDifference(const ComparedPair& p) {

@@ -131,7 +131,7 @@ StartSurface& startOf(Constraints& c) { return c.start ? *c.start : c.start.empl
 //! --start and --given exclude each other; what says more of them may stand before or behind.
 void setStart(Constraints& c, Text option, Text path, bool isDone) {
   if (c.start && !c.start->path.empty() && c.start->isDone != isDone)
-    throw OptionError(option, "an object begins with one surface (--start) or is one (--given), not both.");
+    throw OptionError(option, FindingKind::startAndGiven);
   StartSurface start;
   start.path = path;
   start.isDone = isDone;

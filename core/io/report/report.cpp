@@ -153,10 +153,12 @@ std::vector<Finding> questionWarnings(const RunReport& report) {
   std::vector<Finding> warnings;
   for (const HeldPlace& held : report.questions)
     if (answerTo(held, report.session) == HeldAnswer::none)
-      warnings.push_back(
-          {FindingKind::undecided,
-           {{"iteration", held.iteration}, {"allow", allowOption(held)}, {"hold", holdOption(held)}},
-           findingOf(held)});
+      warnings.push_back({FindingKind::undecided,
+                          {{"iteration", held.iteration},
+                           {"spot", written(held.place)},
+                           {"allow", allowOption(held)},
+                           {"hold", holdOption(held)}},
+                          findingOf(held)});
   return warnings;
 }
 

@@ -184,10 +184,7 @@ class Writer {
     try {
       if (!tetrahedra_) tetrahedra_ = fillWithTetrahedra(objects_, context_.mesherSeconds);
     } catch (const OutputError& error) {
-      const Finding told = findingOf(error);
-      throw Told<OutputError>(
-          Finding(FindingKind::fileRefusedWith, {{"file", path}},
-                  told.any() ? told : Finding(FindingKind::other, {{"text", std::string(error.what())}})));
+      throw Told<OutputError>(Finding(FindingKind::fileRefusedWith, {{"file", path}}, saidBy(error)));
     }
     return *tetrahedra_;
   }

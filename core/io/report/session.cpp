@@ -99,10 +99,12 @@ std::vector<Session> sessionsFromJson(const Json& json, const std::string& path,
   return sessions;
 }
 
-// The JSON library starts its messages with a tag in brackets.
-std::string withoutTag(const std::string& message) {
-  const auto end = message.find("] ");
-  return message.rfind("[json", 0) == 0 && end != std::string::npos ? message.substr(end + 2) + "." : message;
+//! The JSON library starts its messages with a tag in brackets, which tells people nothing.
+Finding unexpected(const Json::exception& error) {
+  const std::string_view tagged = error.what();
+  const auto end = tagged.find("] ");
+  return {K::jsonUnexpected,
+          {{"reason", std::string(end == std::string_view::npos ? tagged : tagged.substr(end + 2))}}};
 }
 
 //! `path`: of the session or report.
@@ -111,11 +113,10 @@ std::vector<Session> parsed(const std::string& text, const std::string& path, co
     return sessionsFromJson(Json::parse(text), path, inputs);
   } catch (const Json::parse_error&) {
     throw Told<InputError>(Finding(K::notJson, {{"file", path}}));
+  } catch (const Json::exception& error) {
+    throw Told<InputError>(Finding(K::notASession, {{"file", path}}, unexpected(error)));
   } catch (const std::exception& error) {
-    const Finding told = findingOf(error);
-    throw Told<InputError>(
-        Finding(K::notASession, {{"file", path}},
-                told.any() ? told : Finding(K::other, {{"text", withoutTag(error.what())}})));
+    throw Told<InputError>(Finding(K::notASession, {{"file", path}}, saidBy(error)));
   }
 }
 

@@ -143,8 +143,7 @@ std::vector<LabelMesh> meshesIn(const FileKey& key, const std::vector<Mask>& mas
   if (key.shape.smoothing) options.smoothing = *key.shape.smoothing;
   return meshesOf(masks, options);
 } catch (const InputError& error) {
-  const Finding why = findingOf(error);
-  refuseStart(key.path, why.any() ? why : Finding(K::other, {{"text", std::string(error.what())}}));
+  refuseStart(key.path, saidBy(error));
 }
 
 //! By label; 0: all together.
