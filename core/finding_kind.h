@@ -519,7 +519,86 @@ enum class FindingKind {
   xmlTagTooLong,
   badNumber,
   badList,
+
+  // Why what is asked for has no meaning …
+  balloonNotPositive,
+  curvatureNegative,
+  iterationsNegative,
+  threadsOutside,
+  smoothingNegative,
+  edgeNotPositive,
+  smoothingTooLarge,  //!< given_mm, longest_mm, most_mm
+  edgeTooLarge,       //!< the same
+  componentsTooFew,
+  genusNegative,
+  wallWithoutRadius,      //!< place
+  wallDiscWithoutRadius,  //!< place
+  wallDiscWithoutNormal,  //!< place
+  wallMapNotRead,
+  startNotRead,  //!< file
+  vetoWithoutPlace,
+  vetoOfEdit,            //!< iteration
+  pinWithoutRadius,      //!< place
+  pinIterationNegative,  //!< place
+  editWithoutPlace,
+  editNotFinite,       //!< iteration
+  editWithoutRadius,   //!< iteration
+  editRadiusNegative,  //!< iteration
+  editWithoutNormal,   //!< iteration
+  editTwice,           //!< iteration
+
+  // … had nothing to act on when the growth ended, or cannot be worked out.
+  vetoLeftOver,  //!< iteration, now
+  pinLeftOver,   //!< pin, now
+  editLeftOver,  //!< iteration, now
+  surfaceTooFar,
+  tooManySamples,  //!< sampling_mm, most
+
+  // What is wrong with a session: field is the place in it, "requested.seeds[0].centre" …
+  fieldMissing,       //!< field
+  fieldUnknown,       //!< field
+  fieldNotObject,     //!< field
+  fieldNotList,       //!< field
+  fieldEntries,       //!< field, needed, count
+  fieldNotText,       //!< field
+  fieldNotFlag,       //!< field, value
+  fieldNotNumber,     //!< field, value
+  fieldNotWhole,      //!< field, value
+  fieldBelow,         //!< field, value, least
+  fieldNotAbove,      //!< field, value, least
+  fieldOutside,       //!< field, value, least, most
+  fieldUnknownWord,   //!< field, value
+  fieldEmpty,         //!< field
+  fieldNoRange,       //!< field
+  fieldNotAscending,  //!< field
+  fieldNoLabel,       //!< field
+  fieldNoDirection,   //!< field
+  fieldNoName,        //!< field, most, separators
+  fieldBadCode,       //!< field
+  fieldNotWritable,   //!< field
+  jsonNumberTooLarge,
+  overTimeOfSeveral,
+  correctedFrameWithStart,
+
+  // … or with what is given beside it …
+  severalObjects,  //!< file, objects
+  wallsNotNeeded,  //!< file
+  startNotNeeded,  //!< file
+  onlyOneFile,     //!< file, other
+
+  // … with what is asked of a volume …
+  seriesNotDicom,      //!< file, format
+  spacingNotPositive,  //!< file
+
+  // … and why it is not written.
+  noMeshEnding,      //!< file
+  noValuesEnding,    //!< file
+  noVolumeEnding,    //!< file
+  noSequenceEnding,  //!< file
+  volumeTooThin,
+  noScene,
+  noTemporaryFolder,  //!< cause
 };
-inline constexpr int kFindingKinds = static_cast<int>(FindingKind::badList) + 1;
+inline constexpr int kFindingKinds = static_cast<int>(FindingKind::noTemporaryFolder) + 1;
 
 }  // namespace handlebody

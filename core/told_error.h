@@ -1,6 +1,7 @@
 #pragma once
-// Errors that carry what is wrong as a finding, for those who need it in another language or decide by it.
-// Apart from errors.h, whose types most readers of files throw with words alone.
+// Errors that carry what is wrong as a finding, for those who need it in another language or decide by it:
+// all of the engine's (tests/layering/told_errors.h). Apart from errors.h, whose types the programs throw
+// with words alone, which name options.
 
 #include <utility>
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "core/cancellation.h"
-#include "core/errors.h"
 #include "core/evolution/click_faults.h"
 #include "core/evolution/contour_state.h"
 #include "core/evolution/image_warnings.h"
 #include "core/indices.h"
 #include "core/mesh/morton_order.h"
-#include "core/number_text.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -139,14 +138,13 @@ namespace {
 void requireWithin(const Parameters& p, const Grid& grid) {
   double longest = 0;
   for (int a = 0; a < 3; ++a) longest = std::max(longest, grid.size[idx(a)] * grid.spacing[a]);
-  const auto require = [&](const std::optional<double>& given, double most, const char* what) {
+  const auto require = [&](const std::optional<double>& given, double most, FindingKind kind) {
     if (given && *given > most)
-      throw UsageError("The " + std::string(what) + " of " + numberText(*given) +
-                       " mm is too large for a volume whose longest side is " + numberText(longest) +
-                       " mm: at most " + numberText(most) + " mm.");
+      throw Told<UsageError>(
+          Finding(kind, {{"given_mm", *given}, {"longest_mm", longest}, {"most_mm", most}}));
   };
-  require(p.smoothing, longest / 4, "smoothing");
-  require(p.edgeLength, longest / 2, "edge length");
+  require(p.smoothing, longest / 4, FindingKind::smoothingTooLarge);
+  require(p.edgeLength, longest / 2, FindingKind::edgeTooLarge);
 }
 
 }  // namespace

@@ -16,6 +16,11 @@ namespace {
 using K = FindingKind;
 
 [[noreturn]] void refuse(const Finding& finding) { throw Told<UsageError>(finding); }
+[[noreturn]] void refuseAt(const Vec3& place, K kind) { refuse({kind, {{"place", placeValue(place)}}}); }
+
+bool hasBall(const Vec3& centre, double radius) {
+  return radius > 0 && std::isfinite(radius) && centre.allFinite();
+}
 
 //! mm from the volume, whose border voxels count whole; 0 within.
 double outside(const Grid& grid, const Vec3& p) {
@@ -27,31 +32,26 @@ double outside(const Grid& grid, const Vec3& p) {
 }
 
 void requireSensible(const Pin& pin, const Grid& grid) {
-  const std::string name = "The pin at " + written(pin.centre);
-  if (!(pin.radius > 0) || !std::isfinite(pin.radius) || !pin.centre.allFinite())
-    throw UsageError(name + " has no radius above 0 mm.");
-  if (pin.iteration < 0) throw UsageError(name + " mm has an iteration below 0.");
-  if (outside(grid, pin.centre) >= pin.radius) refuse({K::pinOutside, {{"place", placeValue(pin.centre)}}});
+  if (!hasBall(pin.centre, pin.radius)) refuseAt(pin.centre, K::pinWithoutRadius);
+  if (pin.iteration < 0) refuseAt(pin.centre, K::pinIterationNegative);
+  if (outside(grid, pin.centre) >= pin.radius) refuseAt(pin.centre, K::pinOutside);
 }
 
 void requireSensible(const WallList& walls, const Grid& grid) {
   for (const WallBall& w : walls.balls) {
-    if (!(w.radius > 0) || !std::isfinite(w.radius) || !w.centre.allFinite())
-      throw UsageError("The wall at " + written(w.centre) + " has no radius above 0 mm.");
-    if (outside(grid, w.centre) >= w.radius) refuse({K::wallOutside, {{"place", placeValue(w.centre)}}});
+    if (!hasBall(w.centre, w.radius)) refuseAt(w.centre, K::wallWithoutRadius);
+    if (outside(grid, w.centre) >= w.radius) refuseAt(w.centre, K::wallOutside);
   }
   for (const WallDisc& w : walls.discs) {
-    const std::string name = "The wall disc at " + written(w.centre);
-    if (!(w.radius > 0) || !std::isfinite(w.radius) || !w.centre.allFinite())
-      throw UsageError(name + " has no radius above 0 mm.");
+    if (!hasBall(w.centre, w.radius)) refuseAt(w.centre, K::wallDiscWithoutRadius);
     if (!(w.normal.norm() > 0) || !std::isfinite(w.normal.norm()))
-      throw UsageError(name + " mm has a normal of no length.");
-    if (outside(grid, w.centre) >= w.radius) refuse({K::wallDiscOutside, {{"place", placeValue(w.centre)}}});
+      refuseAt(w.centre, K::wallDiscWithoutNormal);
+    if (outside(grid, w.centre) >= w.radius) refuseAt(w.centre, K::wallDiscOutside);
   }
   for (const WallObject& object : walls.objects)
     if (!object.mesh || object.mesh->triangles.empty()) refuse({K::objectNoWall, {{"object", object.name}}});
   if (!walls.map) return;
-  if (!walls.map->voxels) throw UsageError("The label map of the walls has not been read.");
+  if (!walls.map->voxels) refuse(K::wallMapNotRead);
   if (walls.map->voxels->size() != grid.voxelCount()) refuse(K::wallMapOtherSize);
 }
 
@@ -64,12 +64,11 @@ void requireSensiblePlaces(const TopologyLimits& limits, const Grid& grid) {
   for (const auto& [places, kind] :
        {std::pair(&limits.allowed, K::allowedOutside), std::pair(&limits.kept, K::heldOutside)})
     for (const Vec3& p : *places)
-      if (!p.allFinite() || outside(grid, p) > 0) refuse({kind, {{"place", placeValue(p)}}});
+      if (!p.allFinite() || outside(grid, p) > 0) refuseAt(p, kind);
 }
 
 void requireSensible(const StartSurface& start, const Grid& grid) {
-  if (!start.mesh || start.mesh->triangles.empty())
-    throw UsageError("The surface to begin with, " + start.path + ", has not been read.");
+  if (!start.mesh || start.mesh->triangles.empty()) refuse({K::startNotRead, {{"file", start.path}}});
   if (outside(grid, start.inside) > 0) refuse({K::startOutside, {{"file", start.path}}});
 }
 
@@ -77,19 +76,15 @@ void requireSensible(const StartSurface& start, const Grid& grid) {
 void requireSensibleEdits(const Constraints& c) {
   std::vector<int> taken;
   for (const MeshEdit& e : c.edits) {
-    if (e.iteration < 1 || !e.place.allFinite())
-      throw UsageError("An edit needs an iteration of at least 1 and a place.");
-    if (const std::string fault = faultOf(e); !fault.empty())
-      throw UsageError("The edit of iteration " + std::to_string(e.iteration) + " " + fault + ".");
+    if (e.iteration < 1 || !e.place.allFinite()) refuse(K::editWithoutPlace);
+    if (const Finding fault = faultOf(e); fault.any()) refuse(fault);
     if (std::find(taken.begin(), taken.end(), e.iteration) != taken.end())
-      throw UsageError("There are two edits of iteration " + std::to_string(e.iteration) +
-                       ": a step can be one only.");
+      refuse({K::editTwice, {{"iteration", e.iteration}}});
     taken.push_back(e.iteration);
   }
   for (const Veto& v : c.vetoes)
     if (std::find(taken.begin(), taken.end(), v.iteration) != taken.end())
-      throw UsageError("Iteration " + std::to_string(v.iteration) +
-                       " is an edit: there is nothing that a veto could forbid.");
+      refuse({K::vetoOfEdit, {{"iteration", v.iteration}}});
 }
 
 }  // namespace
@@ -134,14 +129,11 @@ void requireSensible(const Constraints& constraints, const Grid& grid) {
   requireSensible(constraints.walls, grid);
   if (constraints.start) requireSensible(*constraints.start, grid);
   for (const Pin& p : constraints.pins) requireSensible(p, grid);
-  for (const Veto& v : constraints.vetoes) {
-    if (v.iteration < 1 || !v.place.allFinite())
-      throw UsageError("A veto needs an iteration of at least 1 and a place.");
-  }
+  for (const Veto& v : constraints.vetoes)
+    if (v.iteration < 1 || !v.place.allFinite()) refuse(K::vetoWithoutPlace);
   requireSensibleEdits(constraints);
-  if (constraints.topology.components.value_or(1) < 1)
-    throw UsageError("The number of components must be at least 1.");
-  if (constraints.topology.genus.value_or(0) < 0) throw UsageError("The genus must be at least 0.");
+  if (constraints.topology.components.value_or(1) < 1) refuse(K::componentsTooFew);
+  if (constraints.topology.genus.value_or(0) < 0) refuse(K::genusNegative);
   requireSensiblePlaces(constraints.topology, grid);
 }
 

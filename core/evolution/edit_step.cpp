@@ -148,15 +148,16 @@ std::optional<KeptSide> keptSideOf(const std::string& name) {
   return std::nullopt;
 }
 
-std::string faultOf(const MeshEdit& edit) {
+Finding faultOf(const MeshEdit& edit) {
+  const auto fault = [&edit](FindingKind kind) { return Finding(kind, {{"iteration", edit.iteration}}); };
   if (!edit.place.allFinite() || !edit.vector.allFinite() || !std::isfinite(edit.radius))
-    return "has a number that is not finite";
+    return fault(FindingKind::editNotFinite);
   const bool isCut = edit.kind == MeshEditKind::cut;
   const bool isBall = edit.kind == MeshEditKind::smooth || edit.kind == MeshEditKind::pull;
-  if (isBall && !(edit.radius > 0)) return "has no radius above 0 mm";
-  if (isCut && edit.radius < 0) return "has a radius below 0 mm";
-  if (isCut && !(edit.vector.norm() > 0)) return "has a normal of no length";
-  return "";
+  if (isBall && !(edit.radius > 0)) return fault(FindingKind::editWithoutRadius);
+  if (isCut && edit.radius < 0) return fault(FindingKind::editRadiusNegative);
+  if (isCut && !(edit.vector.norm() > 0)) return fault(FindingKind::editWithoutNormal);
+  return {};
 }
 
 TouchedMesh touched(const Mesh& mesh, const MeshEdit& edit) {

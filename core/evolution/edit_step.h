@@ -2,10 +2,10 @@
 // Makes the edits of mesh_edit.h, and knows which of them are still to come.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/evolution/constraints.h"
+#include "core/finding.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/event.h"
 #include "core/surgery/touched_mesh.h"
@@ -25,8 +25,8 @@ struct EditOutcome {
 //! thing is large. Throws Cancelled (cancellation.h). Precondition: the mesh passes the certificate.
 EditOutcome makeEdit(Mesh& mesh, const MeshEdit& edit);
 
-//! What is wrong with its numbers, in words that follow "it"; empty: nothing.
-std::string faultOf(const MeshEdit& edit);
+//! What is wrong with its numbers; FindingKind::none: nothing.
+Finding faultOf(const MeshEdit& edit);
 
 //! One of the kinds smooth, pull and cut, whatever its iteration.
 TouchedMesh touched(const Mesh& mesh, const MeshEdit& edit);

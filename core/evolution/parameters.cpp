@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/errors.h"
 #include "core/evolution/step_report.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -17,18 +17,16 @@ std::vector<Seed> seedsOfSide(const std::vector<Seed>& seeds, bool background) {
 }
 
 void requireSensible(const Parameters& p) {
-  const auto require = [](bool ok, const char* message) {
-    if (!ok) throw UsageError(message);
+  using K = FindingKind;
+  const auto require = [](bool ok, K kind) {
+    if (!ok) throw Told<UsageError>(kind);
   };
-  require(p.balloon > 0 && std::isfinite(p.balloon), "The balloon weight must be a number above 0.");
-  require(p.curvature >= 0 && std::isfinite(p.curvature),
-          "The curvature weight must be a number of at least 0.");
-  require(p.maxIterations >= 0, "The number of iterations must not be negative.");
-  require(p.threads >= 0 && p.threads <= 1024, "The number of threads must be between 0 and 1024.");
-  require(!p.smoothing || (*p.smoothing >= 0 && std::isfinite(*p.smoothing)),
-          "The smoothing must be at least 0 mm.");
-  require(!p.edgeLength || (*p.edgeLength > 0 && std::isfinite(*p.edgeLength)),
-          "The edge length must be above 0 mm.");
+  require(p.balloon > 0 && std::isfinite(p.balloon), K::balloonNotPositive);
+  require(p.curvature >= 0 && std::isfinite(p.curvature), K::curvatureNegative);
+  require(p.maxIterations >= 0, K::iterationsNegative);
+  require(p.threads >= 0 && p.threads <= 1024, K::threadsOutside);
+  require(!p.smoothing || (*p.smoothing >= 0 && std::isfinite(*p.smoothing)), K::smoothingNegative);
+  require(!p.edgeLength || (*p.edgeLength > 0 && std::isfinite(*p.edgeLength)), K::edgeNotPositive);
 }
 
 bool moveAlike(Parameters a, const Parameters& b) {

@@ -2,21 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/phase.h"
 
 namespace handlebody {
 
 namespace {
-
-std::string tooManySamplesText(double sampling) {
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "%.4g mm between samples would take more than %zu samples of these surfaces.", sampling,
-                kMaxSamples);
-  return text;
-}
 
 std::size_t samplesAt(const Solid& a, const Solid& b, double h) {
   const std::size_t n = countSamples(a.surface, h, kMaxSamples);
@@ -92,7 +83,8 @@ void warnOf(const Solid& solid, const std::string& name, std::vector<Finding>& w
 
 }  // namespace
 
-TooManySamples::TooManySamples(double sampling) : UsageError(tooManySamplesText(sampling)) {}
+TooManySamples::TooManySamples(double sampling)
+    : Told(Finding(FindingKind::tooManySamples, {{"sampling_mm", sampling}, {"most", kMaxSamples}})) {}
 
 double SurfaceDistances::mean() const {
   return (ofA.mean * ofA.area + ofB.mean * ofB.area) / (ofA.area + ofB.area);

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/errors.h"
-#include "core/finding.h"
 #include "core/solid/overlap.h"
 #include "core/solid/surface_distance.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -41,7 +40,7 @@ inline constexpr std::size_t kUsualSamples = 1'000'000;  //!< on both surfaces t
 inline constexpr std::size_t kMaxSamples = 50'000'000;
 
 //! What was asked for as ComparisonOptions::sampling takes more than kMaxSamples.
-class TooManySamples : public UsageError {
+class TooManySamples : public Told<UsageError> {
  public:
   explicit TooManySamples(double sampling);
 };

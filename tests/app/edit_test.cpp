@@ -224,16 +224,16 @@ TEST_CASE("an edit in a session that means nothing is refused with the file's na
   const nlohmann::json good = {{"iteration", 2}, {"kind", "fill-cavity"}, {"place", {1, 2, 3}}};
   auto bad = good;
   bad["kind"] = "paint";
-  refused(bad, "'paint' is no kind of edit");
+  refused(bad, "edits[0].kind' is 'paint'");
   bad = good;
   bad["iteration"] = 0;
-  refused(bad, "below 1");
+  refused(bad, "edits[0].iteration' is 0, and must be at least 1");
   bad = good;
   bad["place"] = {1, 2};
   refused(bad, "bad.json");
   bad = good;
   bad["loop"] = "long";
-  refused(bad, "'long' is no loop");
+  refused(bad, "edits[0].loop' is 'long'");
 }
 
 TEST_CASE("edit smooths, pulls and cuts in the order given, certified", "[cli][touch]") {

@@ -4,7 +4,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/errors.h"
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/over_time_report.h"
 #include "core/io/report/unnamed_files.h"
@@ -369,6 +368,19 @@ TEST_CASE("an object that is called after its file has another name where the pa
   CHECK(sessions[1].label == ObjectLabel{});
 }
 
+namespace {
+
+//! FindingKind::none if nothing is.
+Finding whatIsWrong(const std::string& session) try {
+  readSession(session);
+  return {};
+} catch (const InputError& error) {
+  CHECK_THAT(error.what(), Contains(session));
+  return findingOf(error);
+}
+
+}  // namespace
+
 TEST_CASE("what is not a session is an input error that names the file", "[session]") {
   using Edit = void (*)(nlohmann::json&);
   const Edit edits[] = {
@@ -448,9 +460,86 @@ TEST_CASE("what is not a session is an input error that names the file", "[sessi
     nlohmann::json json = validJson();
     edit(json);
     test::writeBytes(folder / "s.json", json.dump());
-    CHECK_THROWS_AS(readSession(folder / "s.json"), InputError);
-    CHECK_THROWS_WITH(readSession(folder / "s.json"), Contains("s.json"));
+    const Finding told = whatIsWrong(folder / "s.json");
+    CHECK(told.kind == FindingKind::notASession);
+    CHECK(std::get<std::string>(*told.find("file")) == folder / "s.json");
+    REQUIRE(told.causes.size() == 1);
+    CHECK(told.causes[0].kind != FindingKind::other);
   }
+}
+
+TEST_CASE("what is wrong in a session is told by its kind and its place", "[session]") {
+  const TempFolder folder;
+  const auto wrong = [&folder](const char* place, const nlohmann::json& value) {
+    nlohmann::json json = validJson();
+    json[nlohmann::json::json_pointer(place)] = value;
+    test::writeBytes(folder / "s.json", json.dump());
+    return whatIsWrong(folder / "s.json").causes.at(0);
+  };
+  const auto check = [](const Finding& told, FindingKind kind, const std::string& sentenceOfIt) {
+    CHECK(told.kind == kind);
+    CHECK(sentence(told) == sentenceOfIt);
+  };
+  check(wrong("/requested/constraints/walls/0", {{"centre", {1, 2, 3}}}), FindingKind::fieldMissing,
+        "it has no field 'requested.constraints.walls[0].radius'.");
+  check(wrong("/requested/constraints/walls/0/radius", 0), FindingKind::fieldNotAbove,
+        "its field 'requested.constraints.walls[0].radius' is 0, and must be above 0.");
+  check(wrong("/requested/seeds/1/centre", {1, 2}), FindingKind::fieldEntries,
+        "its field 'requested.seeds[1].centre' must have 3 entries; it has 2.");
+  check(wrong("/requested/seeds/1/centre/2", false), FindingKind::fieldNotNumber,
+        "its field 'requested.seeds[1].centre[2]' is false, not a number.");
+  check(wrong("/requested/changes/2/iteration", 9), FindingKind::fieldNotAscending,
+        "its field 'requested.changes[2].iteration' is not above that of the entry before it.");
+  check(wrong("/requested/object", "grey"), FindingKind::fieldUnknownWord,
+        "its field 'requested.object' is 'grey', a word that this version does not know.");
+  check(wrong("/requested/object", std::string(200, '\n')), FindingKind::fieldUnknownWord,
+        "its field 'requested.object' is '" + std::string(64, '?') +
+            "', a word that this version does not know.");
+  check(wrong("/requested/constraints", 3), FindingKind::fieldNotObject,
+        "its field 'requested.constraints' is not a JSON object.");
+  check(wrong("/requested/constraints/vetoes/0/iteration", 0), FindingKind::fieldBelow,
+        "its field 'requested.constraints.vetoes[0].iteration' is 0, and must be at least 1.");
+  check(wrong("/input/sha256", ""), FindingKind::fieldEmpty, "its field 'input.sha256' is empty.");
+  check(wrong("/measurements", {{{"kind", "ruler"}, {"points", {{1, 2, 3}}}}}), FindingKind::fieldEntries,
+        "its field 'measurements[0].points' must have 2 entries; it has 1.");
+
+  test::writeBytes(folder / "s.json", "[]");
+  CHECK(whatIsWrong(folder / "s.json").causes.at(0).kind == FindingKind::fieldMissing);
+  test::writeBytes(folder / "s.json", R"({"version": 1e999})");
+  CHECK(whatIsWrong(folder / "s.json").causes.at(0).kind == FindingKind::jsonNumberTooLarge);
+}
+
+TEST_CASE("a label and a growth over time without sense are told by their places", "[session]") {
+  const TempFolder folder;
+  Session s = unusualSession(folder / "v.mha");
+  s.label = {"One", {1, 2, 3}, 4, "liver"};
+  s.overTime.emplace();
+  s.overTime->frames = {2, 5};
+  writeSession(s, folder / "valid.json");
+  REQUIRE_NOTHROW(readSession(folder / "valid.json"));
+  const auto valid = nlohmann::json::parse(test::readBytes(folder / "valid.json"));
+  const auto wrong = [&](const char* place, const nlohmann::json& value) {
+    nlohmann::json json = valid;
+    json[nlohmann::json::json_pointer(place)] = value;
+    test::writeBytes(folder / "s.json", json.dump());
+    const Finding told = whatIsWrong(folder / "s.json").causes.at(0);
+    INFO(sentence(told));
+    CHECK(told.find("field") != nullptr);
+    return told.kind;
+  };
+  CHECK(wrong("/requested/label/name", "") == FindingKind::fieldNoName);
+  CHECK(wrong("/requested/label/name", "a|b") == FindingKind::fieldNoName);
+  CHECK(wrong("/requested/label/term", "soul") == FindingKind::fieldUnknownWord);
+  CHECK(wrong("/requested/label/value", 0) == FindingKind::fieldOutside);
+  CHECK(wrong("/requested/label/value", 65536) == FindingKind::fieldOutside);
+  CHECK(wrong("/requested/label/colour", {1, 2}) == FindingKind::fieldEntries);
+  CHECK(wrong("/requested/label/colour/0", 256) == FindingKind::fieldOutside);
+  CHECK(wrong("/over_time/frames", 3) == FindingKind::fieldNotList);
+  CHECK(wrong("/over_time/frames", {5, 2}) == FindingKind::fieldNoRange);
+  CHECK(wrong("/over_time/frames", {-1, 2}) == FindingKind::fieldBelow);
+  CHECK(wrong("/over_time/topology", "loose") == FindingKind::fieldUnknownWord);
+  CHECK(wrong("/over_time/drift_check", 1) == FindingKind::fieldNotText);
+  CHECK(wrong("/over_time/given_frame_time_ms", 0) == FindingKind::fieldNotAbove);
 }
 
 TEST_CASE("bytes that are not JSON are an input error", "[session]") {
@@ -471,8 +560,9 @@ TEST_CASE("a constraint that is not known is refused by its name, not dropped", 
   constraints["wals"] = constraints["walls"];
   constraints.erase("walls");
   test::writeBytes(folder / "s.json", json.dump());
-  CHECK_THROWS_WITH(readSession(folder / "s.json", {}),
-                    Catch::Matchers::Contains("s.json") && Catch::Matchers::Contains("'wals'"));
+  CHECK_THROWS_WITH(
+      readSession(folder / "s.json", {}),
+      Catch::Matchers::Contains("s.json") && Catch::Matchers::Contains("'requested.constraints.wals'"));
 }
 
 TEST_CASE("what the JSON library finds wrong with a session is a reason of its own, without its tag",

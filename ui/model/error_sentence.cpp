@@ -10,7 +10,8 @@ namespace handlebody::ui {
 
 namespace {
 
-//! What has no kind yet is told in English alone: in another language a headline stands before that.
+//! What carries no finding, or one that is not translated: what another program says (a mesher, DCMTK, the
+//! system). In another language than English a headline stands before that.
 QString headed(const char* headline, const std::exception& error) {
   const QString detail = QString::fromUtf8(error.what()).simplified(), own = tr(headline);
   return own == QLatin1String(headline) ? detail : own + QLatin1Char(' ') + detail;

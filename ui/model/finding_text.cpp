@@ -137,6 +137,7 @@ const char* sourceOf(FindingKind kind) {
 }
 
 QString number(double value, const std::string& format) {
+  if (std::isnan(value)) return QStringLiteral("NaN");
   if (std::isinf(value)) return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
   const QLocale locale;
   const int digits = format.empty() || format.back() == 'm' ? (format.empty() ? 6 : 3) : std::stoi(format);

@@ -12,11 +12,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/formats/byte_stream.h"
 #include "core/io/formats/label_map.h"
 #include "core/io/lowered.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 namespace {
@@ -213,7 +213,7 @@ bool isSequencePath(const std::string& path) {
 
 void writeSequence(const SequenceLayout& layout, const std::string& path,
                    const std::function<Volume(int frame)>& frame) {
-  if (!isSequencePath(path)) throw UsageError(path + ": 4D volumes are written as .nii.gz, .nii or .nrrd.");
+  if (!isSequencePath(path)) throw Told<UsageError>(Finding(FindingKind::noSequenceEnding, {{"file", path}}));
   writeAtomically(path, [&](const std::string& temporary) { writeTo(temporary, layout, path, frame); });
 }
 

@@ -122,7 +122,8 @@ Finding seriesChoice(const std::vector<SeriesInfo>& series) {
 void setSpacing(const VolumeSelection& selection, VolumeHeader& header, const std::string& path) {
   if (!selection.spacing) return;
   const Vec3& given = *selection.spacing;
-  if (!given.allFinite() || given.minCoeff() <= 0) throw UsageError(path + ": a spacing is not above 0.");
+  if (!given.allFinite() || given.minCoeff() <= 0)
+    throw Told<UsageError>(Finding(FindingKind::spacingNotPositive, {{"file", path}}));
   if (header.calibrated && (given - header.grid.spacing).norm() > 1e-6 * given.norm())
     header.warnings.push_back({FindingKind::spacingOverridden,
                                {{"x_mm", header.grid.spacing.x()},

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/errors.h"
 #include "core/io/formats/byte_stream.h"
 #include "core/io/formats/gipl_source.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 namespace {
@@ -101,8 +101,8 @@ SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progres
   SourcePointer source = isFolder ? openFolder(request, progress) : openFile(request, progress);
   if (!source) return openDicom(request, progress);
   if (request.selection.series && source->header().format != "DICOM")
-    throw UsageError(request.path + ": a series is chosen in DICOM alone, this is " +
-                     source->header().format + ".");
+    throw Told<UsageError>(
+        Finding(FindingKind::seriesNotDicom, {{"file", request.path}, {"format", source->header().format}}));
   return source;
 }
 

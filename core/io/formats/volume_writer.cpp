@@ -8,13 +8,13 @@
 
 #include <cstring>
 
-#include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/formats/itk_source.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/formats/volume_keys.h"
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 namespace {
@@ -28,7 +28,7 @@ itk::ImageIOBase::Pointer writerFor(const std::string& path) {
     io->SetDoublePrecision(17);  // 6 by default
     return io.GetPointer();
   }
-  throw UsageError(path + ": volumes are written as .nii.gz, .nii, .nrrd or .mha.");
+  throw Told<UsageError>(Finding(FindingKind::noVolumeEnding, {{"file", path}}));
 }
 
 itk::IOComponentEnum componentOf(VoxelType type) {
@@ -84,12 +84,11 @@ void writeVolumeWithKeys(const Volume& volume, const std::string& path,
                          const std::map<std::string, std::string>& keys) {
   const auto io = writerFor(path);
   for (int n : volume.grid.size)
-    if (n < 2)
-      throw OutputError(path + ": a volume to be written needs at least two voxels along each axis.");
+    if (n < 2) refuseOutput(path, FindingKind::volumeTooThin);
   // NIfTI holds sizes in 16 bits.
   if (dynamic_cast<itk::NiftiImageIO*>(io.GetPointer()))
     for (int n : volume.grid.size)
-      if (n > 32767) throw OutputError(path + ": NIfTI cannot hold more than 32767 voxels along an axis.");
+      if (n > 32767) refuseOutput(path, FindingKind::niftiTooLarge);
   writeAtomically(path, [&](const std::string& temporary) {
     try {
       const Quiet quiet;

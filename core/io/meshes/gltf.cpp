@@ -11,7 +11,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
@@ -105,10 +104,10 @@ void writeGltf(const std::vector<ExportedObject>& objects, const std::string& pa
   writeAtomically(path, [&](const std::string& temporary) {
     const VtkSilence silence;
     Json json = written(objects, temporary);
-    if (!complete(json, objects)) throw OutputError(path + " cannot be written: VTK wrote no scene of it.");
+    if (!complete(json, objects)) refuseOutput(path, FindingKind::noScene);
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
     out << json.dump(1) << '\n';
-    if (!out.flush()) throw OutputError(path + " cannot be written (disk full?).");
+    if (!out.flush()) refuseOutput(path, FindingKind::diskMayBeFull);
   });
 }
 

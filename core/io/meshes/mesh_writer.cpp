@@ -14,11 +14,11 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
 #include "core/phase.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 namespace {
@@ -177,7 +177,7 @@ bool isMeshPath(const std::string& path) {
 
 void writeMesh(const TriangleSoup& mesh, const std::string& path, CoordinateSpace space,
                const std::vector<MeshPart>& parts, FileSet* set) {
-  if (!isMeshPath(path)) throw UsageError(path + ": meshes are written as .stl, .vtp, .ply or .obj.");
+  if (!isMeshPath(path)) throw Told<UsageError>(Finding(FindingKind::noMeshEnding, {{"file", path}}));
   MeshFile file{mesh, space};
   file.parts = parts;
   if (space == CoordinateSpace::ras)
@@ -187,7 +187,8 @@ void writeMesh(const TriangleSoup& mesh, const std::string& path, CoordinateSpac
 
 void writeMeshWithValues(const TriangleSoup& mesh, const std::vector<double>& values, const std::string& name,
                          const std::string& path) {
-  if (endingOf(path) != ".vtp") throw UsageError(path + ": a mesh with values is written as .vtp.");
+  if (endingOf(path) != ".vtp")
+    throw Told<UsageError>(Finding(FindingKind::noValuesEnding, {{"file", path}}));
   writeWhole({mesh, CoordinateSpace::lps, values, name}, path, nullptr);
 }
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/io/atomic_file.h"
 #include "core/io/meshes/mesh_files.h"
 #include "core/told_error.h"
 
@@ -121,7 +121,7 @@ void writeObj(const MeshFile& file, const std::string& temporary) {
   std::ofstream stream(temporary, std::ios::binary);
   stream << text;
   stream.close();
-  if (!stream) throw OutputError(temporary + ": cannot be written.");
+  if (!stream) refuseOutput(temporary, FindingKind::diskMayBeFull);
 }
 
 MeshFile readObj(const std::string& path) { return ObjReader(path).read(); }

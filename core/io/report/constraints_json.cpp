@@ -1,48 +1,29 @@
 #include "core/io/report/constraints_json.h"
 
-#include <algorithm>
-#include <array>
-
-#include "core/errors.h"
 #include "core/evolution/edit_step.h"
-#include "core/io/shown.h"
+#include "core/io/report/json_field.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
 namespace {
 
-int countFromJson(const Json& json, int least) {
-  const int count = integerFromJson(json);
-  if (count < least) throw UsageError("a limit of the topology is below " + std::to_string(least) + ".");
-  return count;
+using K = FindingKind;
+
+WallBall ballFromJson(const JsonField& json) {
+  return {json.at("centre").point(), json.at("radius").numberAbove(0)};
 }
 
-WallBall ballFromJson(const Json& json) {
-  const WallBall wall{vectorFromJson(json.at("centre")), finiteFromJson(json.at("radius"))};
-  if (!(wall.radius > 0)) throw UsageError("a wall has no radius above 0.");
-  return wall;
+WallDisc discFromJson(const JsonField& json) {
+  return {json.at("centre").point(), json.at("normal").direction(), json.at("radius").numberAbove(0)};
 }
 
-WallDisc discFromJson(const Json& json) {
-  const WallDisc wall{vectorFromJson(json.at("centre")), vectorFromJson(json.at("normal")),
-                      finiteFromJson(json.at("radius"))};
-  if (!(wall.radius > 0)) throw UsageError("a wall disc has no radius above 0.");
-  if (!(wall.normal.norm() > 0)) throw UsageError("a wall disc has a normal of no length.");
-  return wall;
+Veto vetoFromJson(const JsonField& json) {
+  return {json.at("iteration").wholeAtLeast(1), json.at("place").point()};
 }
 
-Veto vetoFromJson(const Json& json) {
-  const Veto veto{integerFromJson(json.at("iteration")), vectorFromJson(json.at("place"))};
-  if (veto.iteration < 1) throw UsageError("a veto's iteration is below 1.");
-  return veto;
-}
-
-Pin pinFromJson(const Json& json) {
-  const Pin pin{vectorFromJson(json.at("centre")), finiteFromJson(json.at("radius")),
-                integerFromJson(json.at("iteration"))};
-  if (!(pin.radius > 0)) throw UsageError("a pin has no radius above 0.");
-  if (pin.iteration < 0) throw UsageError("a pin's iteration is below 0.");
-  return pin;
+Pin pinFromJson(const JsonField& json) {
+  return {json.at("centre").point(), json.at("radius").numberAbove(0), json.at("iteration").wholeAtLeast(0)};
 }
 
 Json meshEditToJson(const MeshEdit& e) {
@@ -58,31 +39,19 @@ Json meshEditToJson(const MeshEdit& e) {
   return json;
 }
 
-MeshEdit meshEditFromJson(const Json& json) {
+MeshEdit meshEditFromJson(const JsonField& json) {
   MeshEdit edit;
-  edit.iteration = integerFromJson(json.at("iteration"));
-  if (edit.iteration < 1) throw UsageError("an edit's iteration is below 1.");
-  const auto name = json.at("kind").get<std::string>();
-  const auto kind = meshEditKind(name);
-  if (!kind) throw UsageError("'" + name + "' is no kind of edit.");
-  edit.kind = *kind;
-  edit.place = vectorFromJson(json.at("place"));
-  if (json.contains("radius")) edit.radius = finiteFromJson(json.at("radius"));
-  if (edit.kind == MeshEditKind::pull) edit.vector = vectorFromJson(json.at("to"));
+  edit.iteration = json.at("iteration").wholeAtLeast(1);
+  edit.kind = json.at("kind").word(meshEditKind);
+  edit.place = json.at("place").point();
+  if (json.has("radius")) edit.radius = json.at("radius").number();
+  if (edit.kind == MeshEditKind::pull) edit.vector = json.at("to").point();
   if (edit.kind == MeshEditKind::cut) {
-    edit.vector = vectorFromJson(json.at("normal"));
-    const auto side = json.at("keep").get<std::string>();
-    if (const auto keep = keptSideOf(side); keep)
-      edit.keep = *keep;
-    else
-      throw UsageError("'" + side + "' is no side of a cut.");
+    edit.vector = json.at("normal").direction();
+    edit.keep = json.at("keep").word(keptSideOf);
   }
-  if (const std::string fault = faultOf(edit); !fault.empty()) throw UsageError("an edit " + fault + ".");
-  if (!json.contains("loop")) return edit;
-  const auto loop = json.at("loop").get<std::string>();
-  const auto cut = tunnelCutOf(loop);
-  if (!cut) throw UsageError("'" + loop + "' is no loop of a tunnel.");
-  edit.cut = *cut;
+  if (const Finding fault = faultOf(edit); fault.any()) throw Told<UsageError>(fault);
+  if (json.has("loop")) edit.cut = json.at("loop").word(tunnelCutOf);
   return edit;
 }
 
@@ -99,32 +68,31 @@ Json startToJson(const StartSurface& s) {
   return json;
 }
 
-int labelFromJson(const Json& json) {
-  const int label = integerFromJson(json);
-  if (label == 0) throw UsageError("a label of the surface to begin with is 0.");
+int labelFromJson(const JsonField& json) {
+  const int label = json.whole();
+  if (label == 0) json.refuse(K::fieldNoLabel);
   return label;
 }
 
-LabelShape shapeFromJson(const Json& json) {
+LabelShape shapeFromJson(const JsonField& json) {
   LabelShape shape;
-  if (json.contains("smoothing")) shape.smoothing = json.at("smoothing").get<double>();
-  if (shape.smoothing && !(*shape.smoothing >= 0 && std::isfinite(*shape.smoothing)))
-    throw UsageError("the smoothing of the surface to begin with is no length.");
-  if (json.contains("genus")) shape.genus = integerFromJson(json.at("genus"));
-  if (shape.genus && *shape.genus < 0)
-    throw UsageError("the genus of the surface to begin with is negative.");
-  shape.keepsLargest = json.value("keep_largest", false);
+  if (json.has("smoothing")) shape.smoothing = json.at("smoothing").numberAtLeast(0);
+  if (json.has("genus")) shape.genus = json.at("genus").wholeAtLeast(0);
+  if (json.has("keep_largest")) shape.keepsLargest = json.at("keep_largest").flag();
   return shape;
 }
 
-StartSurface startFromJson(const Json& json) {
+//! Empty for null: of an anonymous session.
+std::string pathFromJson(const JsonField& json) { return json.isNull() ? std::string() : json.text(); }
+
+StartSurface startFromJson(const JsonField& json) {
   StartSurface start;
-  if (!json.at("path").is_null()) start.path = json.at("path").get<std::string>();
-  start.sha256 = json.value("sha256", std::string());
-  if (json.contains("label")) start.label = labelFromJson(json.at("label"));
-  if (json.contains("among"))
-    for (const Json& label : json.at("among")) start.among.push_back(labelFromJson(label));
-  if (json.contains("done")) start.isDone = json.at("done").get<bool>();
+  start.path = pathFromJson(json.at("path"));
+  if (json.has("sha256")) start.sha256 = json.at("sha256").text();
+  if (json.has("label")) start.label = labelFromJson(json.at("label"));
+  if (json.has("among"))
+    for (const JsonField& label : json.at("among").list()) start.among.push_back(labelFromJson(label));
+  if (json.has("done")) start.isDone = json.at("done").flag();
   start.shape = shapeFromJson(json);
   return start;
 }
@@ -162,44 +130,39 @@ Json constraintsToJson(const Constraints& c) {
 
 namespace {
 
-//! A constraint that is not known, or misspelt, would be dropped, and another surface grow without a word.
-void requireKnown(const Json& constraints) {
-  constexpr std::array kKnown{"walls",   "wall_discs", "wall_map", "vetoes", "components", "genus",
-                              "allowed", "asks",       "kept",     "pins",   "edits",      "start"};
-  for (const auto& [name, value] : constraints.items())
-    if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end())
-      throw UsageError("the constraints have '" + shown(name) + "', which this version does not know.");
+WallMap wallMapFromJson(const JsonField& json) {
+  WallMap map{pathFromJson(json.at("path")), {}, nullptr};
+  if (json.has("sha256")) map.sha256 = json.at("sha256").text();
+  return map;
+}
+
+//! f(entry) of the list of that name, where it is there.
+template <typename F>
+void forEachEntry(const JsonField& json, const char* key, F&& f) {
+  if (!json.has(key)) return;
+  for (const JsonField& entry : json.at(key).list()) f(entry);
 }
 
 }  // namespace
 
-Constraints constraintsFromJson(const Json& json) {
-  if (!json.is_object()) throw UsageError("the constraints are not an object.");
-  requireKnown(json);
+Constraints constraintsFromJson(const JsonField& json) {
+  // One that is not known, or misspelt, would be dropped, and another surface grow without a word.
+  json.requireKeys({"walls", "wall_discs", "wall_map", "vetoes", "components", "genus", "allowed", "asks",
+                    "kept", "pins", "edits", "start"});
   Constraints c;
-  if (json.contains("walls"))
-    for (const Json& wall : json.at("walls")) c.walls.balls.push_back(ballFromJson(wall));
-  if (json.contains("wall_discs"))
-    for (const Json& wall : json.at("wall_discs")) c.walls.discs.push_back(discFromJson(wall));
-  if (json.contains("wall_map")) {
-    const Json& map = json.at("wall_map");
-    c.walls.map = WallMap{{}, map.value("sha256", std::string()), nullptr};
-    if (!map.at("path").is_null()) c.walls.map->path = map.at("path").get<std::string>();
-  }
-  if (json.contains("vetoes"))
-    for (const Json& veto : json.at("vetoes")) c.vetoes.push_back(vetoFromJson(veto));
-  if (json.contains("components")) c.topology.components = countFromJson(json.at("components"), 1);
-  if (json.contains("genus")) c.topology.genus = countFromJson(json.at("genus"), 0);
-  if (json.contains("allowed"))
-    for (const Json& place : json.at("allowed")) c.topology.allowed.push_back(vectorFromJson(place));
-  if (json.contains("asks")) c.topology.asks = json.at("asks").get<bool>();
-  if (json.contains("kept"))
-    for (const Json& place : json.at("kept")) c.topology.kept.push_back(vectorFromJson(place));
-  if (json.contains("pins"))
-    for (const Json& pin : json.at("pins")) c.pins.push_back(pinFromJson(pin));
-  if (json.contains("edits"))
-    for (const Json& edit : json.at("edits")) c.edits.push_back(meshEditFromJson(edit));
-  if (json.contains("start")) c.start = startFromJson(json.at("start"));
+  using J = const JsonField&;
+  forEachEntry(json, "walls", [&](J wall) { c.walls.balls.push_back(ballFromJson(wall)); });
+  forEachEntry(json, "wall_discs", [&](J wall) { c.walls.discs.push_back(discFromJson(wall)); });
+  if (json.has("wall_map")) c.walls.map = wallMapFromJson(json.at("wall_map"));
+  forEachEntry(json, "vetoes", [&](J veto) { c.vetoes.push_back(vetoFromJson(veto)); });
+  if (json.has("components")) c.topology.components = json.at("components").wholeAtLeast(1);
+  if (json.has("genus")) c.topology.genus = json.at("genus").wholeAtLeast(0);
+  forEachEntry(json, "allowed", [&](J place) { c.topology.allowed.push_back(place.point()); });
+  if (json.has("asks")) c.topology.asks = json.at("asks").flag();
+  forEachEntry(json, "kept", [&](J place) { c.topology.kept.push_back(place.point()); });
+  forEachEntry(json, "pins", [&](J pin) { c.pins.push_back(pinFromJson(pin)); });
+  forEachEntry(json, "edits", [&](J edit) { c.edits.push_back(meshEditFromJson(edit)); });
+  if (json.has("start")) c.start = startFromJson(json.at("start"));
   return c;
 }
 

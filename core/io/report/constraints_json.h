@@ -16,7 +16,7 @@ Json discToJson(const WallDisc& disc);
 //! "radius", "to" or "normal" and "keep"}, each only where there are any; the path is null if anonymous.
 Json constraintsToJson(const Constraints& constraints);
 
-//! The inverse; the voxels of the label map are not read. Throws Json::exception and UsageError.
-Constraints constraintsFromJson(const Json& json);
+//! The inverse; the voxels of the label map are not read. Throws UsageError.
+Constraints constraintsFromJson(const JsonField& json);
 
 }  // namespace handlebody

@@ -43,14 +43,14 @@ void tellState(const ActiveContour& contour, RunReport& report) {
 
 void requireNothingWaiting(const ActiveContour& contour) {
   if (contour.stopReason() == StopReason::running) return;
-  const std::string ended = ": the growth ended at iteration " + std::to_string(contour.iteration()) + ".";
+  const auto refuse = [&](FindingKind kind, std::string_view name, const FindingValue& which) {
+    throw Told<UsageError>(Finding(kind, {{name, which}, {"now", contour.iteration()}}));
+  };
   if (const auto veto = contour.waitingVeto())
-    throw UsageError("The veto of iteration " + std::to_string(veto->iteration) + " has nothing to forbid" +
-                     ended);
-  if (const auto pin = contour.waitingPin())
-    throw UsageError("The pin " + written(*pin) + " holds nothing" + ended);
+    refuse(FindingKind::vetoLeftOver, "iteration", veto->iteration);
+  if (const auto pin = contour.waitingPin()) refuse(FindingKind::pinLeftOver, "pin", written(*pin));
   if (const auto edit = contour.waitingEdit())
-    throw UsageError("The edit of iteration " + std::to_string(edit->iteration) + " is never made" + ended);
+    refuse(FindingKind::editLeftOver, "iteration", edit->iteration);
 }
 
 CertifiedMesh grownMesh(const ActiveContour& contour) {
@@ -59,8 +59,7 @@ CertifiedMesh grownMesh(const ActiveContour& contour) {
   try {
     return certifiedForExport(contour.mesh().compact());
   } catch (const std::runtime_error&) {  // it was certified as it grew: what fails then is the rounding
-    throw InputError(
-        "The surface intersects itself in single precision: the volume lies too far from the origin.");
+    throw Told<InputError>(FindingKind::surfaceTooFar);
   }
 }
 

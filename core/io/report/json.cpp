@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/errors.h"
+#include "core/io/meshes/object_name.h"
 #include "core/io/report/constraints_json.h"
+#include "core/io/report/json_field.h"
 #include "core/io/report/parameter_names.h"
 #include "core/io/report/terminology_json.h"
 #include "core/told_error.h"
@@ -271,69 +272,6 @@ void append(std::string& text, const Json& json, std::size_t indent) {
 
 }  // namespace
 
-// Stricter than the library, which also makes numbers of true and false.
-double finiteFromJson(const Json& json) {
-  if (!json.is_number()) throw UsageError(compact(json) + " is not a number.");
-  return json.get<double>();
-}
-
-Vec3 vectorFromJson(const Json& json) {
-  if (json.size() != 3) throw UsageError(compact(json) + " is not a point.");
-  return {finiteFromJson(json.at(0)), finiteFromJson(json.at(1)), finiteFromJson(json.at(2))};
-}
-
-namespace {
-
-double numberFromJson(const Json& json) {
-  if (json == "inf") return std::numeric_limits<double>::infinity();
-  if (json == "-inf") return -std::numeric_limits<double>::infinity();
-  return finiteFromJson(json);
-}
-
-std::optional<double> optionalFromJson(const Json& object, const char* key) {
-  if (!object.contains(key) || object.at(key).is_null()) return std::nullopt;
-  return finiteFromJson(object.at(key));
-}
-
-template <typename T>
-T wordFromJson(const Json& json, std::optional<T> (*fromName)(std::string_view)) {
-  const auto value = fromName(json.get_ref<const std::string&>());
-  if (!value) throw UsageError(compact(json) + " is not a known word.");
-  return *value;
-}
-
-IntensityRange rangeFromJson(const Json& json) {
-  if (json.size() != 2) throw UsageError("the range is not a pair.");
-  return {numberFromJson(json.at(0)), numberFromJson(json.at(1))};
-}
-
-CoordinateSpace spaceFromJson(const Json& json) {
-  if (json == "LPS") return CoordinateSpace::lps;
-  if (json == "RAS") return CoordinateSpace::ras;
-  throw UsageError(compact(json) + " is not a known space.");
-}
-
-}  // namespace
-
-void readSelection(const Json& json, VolumeSelection& selection) {
-  const auto given = [&](const char* key) { return json.contains(key) && !json.at(key).is_null(); };
-  if (given("series")) selection.series = json.at("series").get<std::string>();
-  if (given("frame")) {
-    const int frame = integerFromJson(json.at("frame"));
-    if (frame < 0) throw UsageError("the frame is below 0.");
-    selection.frame = frame;
-  }
-  if (given("given_spacing")) selection.spacing = vectorFromJson(json.at("given_spacing"));
-  if (given("uneven") && json.at("uneven").get<std::string>() == "refuse")
-    selection.uneven = UnevenSlices::refuse;
-}
-
-int integerFromJson(const Json& json) {
-  if (!json.is_number_integer() || std::abs(json.get<double>()) > std::numeric_limits<int>::max())
-    throw UsageError(compact(json) + " is not a whole number in range.");
-  return json.get<int>();
-}
-
 std::string jsonText(const Json& json) {
   std::string text;
   append(text, json, 0);
@@ -342,106 +280,126 @@ std::string jsonText(const Json& json) {
 
 namespace {
 
-int candidateFromJson(const Json& json) {
-  const int candidate = integerFromJson(json);
-  if (candidate < 1) throw UsageError("the candidate is below 1.");
-  return candidate;
+double endFromJson(const JsonField& json) {
+  if (json.json() == "inf") return std::numeric_limits<double>::infinity();
+  if (json.json() == "-inf") return -std::numeric_limits<double>::infinity();
+  return json.number();
 }
 
-Seed seedFromJson(const Json& json) {
-  Seed seed{vectorFromJson(json.at("centre")), optionalFromJson(json, "radius")};
-  if (json.contains("background")) seed.background = json.at("background").get<bool>();
+std::optional<double> optionalFromJson(const JsonField& object, const char* key) {
+  const auto given = object.given(key);
+  return given ? std::optional(given->number()) : std::nullopt;
+}
+
+IntensityRange rangeFromJson(const JsonField& json) {
+  const std::vector<JsonField> ends = json.list(2);
+  return {endFromJson(ends[0]), endFromJson(ends[1])};
+}
+
+std::optional<CoordinateSpace> spaceFromName(std::string_view name) {
+  if (name == "LPS") return CoordinateSpace::lps;
+  if (name == "RAS") return CoordinateSpace::ras;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void readSelection(const JsonField& json, VolumeSelection& selection) {
+  if (const auto series = json.given("series")) selection.series = series->text();
+  if (const auto frame = json.given("frame")) selection.frame = frame->wholeAtLeast(0);
+  if (const auto spacing = json.given("given_spacing")) selection.spacing = spacing->point();
+  if (const auto uneven = json.given("uneven"); uneven && uneven->text() == "refuse")
+    selection.uneven = UnevenSlices::refuse;
+}
+
+namespace {
+
+using K = FindingKind;
+
+Seed seedFromJson(const JsonField& json) {
+  Seed seed{json.at("centre").point(), optionalFromJson(json, "radius")};
+  if (json.has("background")) seed.background = json.at("background").flag();
   return seed;
 }
 
-std::vector<Seed> clicksFromJson(const Json& json) {
+std::vector<Seed> clicksFromJson(const JsonField& json) {
   std::vector<Seed> clicks;
-  for (const Json& entry : json) clicks.push_back(seedFromJson(entry));
+  for (const JsonField& entry : json.list()) clicks.push_back(seedFromJson(entry));
   return clicks;
 }
 
 //! Clicks of which at least one is inside of the object.
-std::vector<Seed> seededClicksFromJson(const Json& json) {
+std::vector<Seed> seededClicksFromJson(const JsonField& json) {
   std::vector<Seed> clicks = clicksFromJson(json);
-  if (seedsOfSide(clicks, false).empty()) throw Told<UsageError>(FindingKind::sessionWithoutSeeds);
+  if (seedsOfSide(clicks, false).empty()) throw Told<UsageError>(K::sessionWithoutSeeds);
   return clicks;
 }
 
-Parameters parametersFromJson(const Json& json) {
+Parameters parametersFromJson(const JsonField& json) {
   Parameters p;
   p.resolution = Resolution::uniform;
-  if (json.contains("object")) p.object = wordFromJson(json.at("object"), objectKindFromName);
-  if (json.contains("range") && !json.at("range").is_null()) p.range = rangeFromJson(json.at("range"));
-  if (json.contains("candidate")) p.candidate = candidateFromJson(json.at("candidate"));
+  if (json.has("object")) p.object = json.at("object").word(objectKindFromName);
+  if (const auto range = json.given("range")) p.range = rangeFromJson(*range);
+  if (json.has("candidate")) p.candidate = json.at("candidate").wholeAtLeast(1);
   p.smoothing = optionalFromJson(json, "smoothing");
   p.edgeLength = optionalFromJson(json, "edge_length");
-  if (json.contains("direction")) p.direction = wordFromJson(json.at("direction"), directionFromName);
-  if (json.contains("balloon")) p.balloon = finiteFromJson(json.at("balloon"));
-  if (json.contains("curvature")) p.curvature = finiteFromJson(json.at("curvature"));
-  if (json.contains("max_iterations")) p.maxIterations = integerFromJson(json.at("max_iterations"));
+  if (json.has("direction")) p.direction = json.at("direction").word(directionFromName);
+  if (json.has("balloon")) p.balloon = json.at("balloon").number();
+  if (json.has("curvature")) p.curvature = json.at("curvature").number();
+  if (json.has("max_iterations")) p.maxIterations = json.at("max_iterations").whole();
   // What changes nothing needs no memory: 1, which is also written where nobody asked, leaves it to the
   // machine.
-  if (json.contains("threads")) p.threads = integerFromJson(json.at("threads"));
+  if (json.has("threads")) p.threads = json.at("threads").whole();
   if (p.threads == 1) p.threads = 0;
-  if (json.contains("broad_phase")) p.broadPhase = wordFromJson(json.at("broad_phase"), broadPhaseFromName);
-  if (json.contains("resolution")) p.resolution = wordFromJson(json.at("resolution"), resolutionFromName);
+  if (json.has("broad_phase")) p.broadPhase = json.at("broad_phase").word(broadPhaseFromName);
+  if (json.has("resolution")) p.resolution = json.at("resolution").word(resolutionFromName);
   return p;
 }
 
-int iterationFromJson(const Json& json) {
-  const int iteration = integerFromJson(json);
-  if (iteration < 0) throw UsageError("an iteration is below 0.");
-  return iteration;
-}
-
-std::vector<ParameterChange> changesFromJson(const Json& json) {
-  if (!json.is_array()) throw UsageError("the changes on the way are not a list.");
+std::vector<ParameterChange> changesFromJson(const JsonField& json) {
   std::vector<ParameterChange> changes;
-  for (const Json& entry : json) {
-    const int iteration = iterationFromJson(entry.at("iteration"));
-    if (!changes.empty() && iteration <= changes.back().iteration)
-      throw UsageError("the changes on the way are not in ascending order.");
+  for (const JsonField& entry : json.list()) {
+    const JsonField field = entry.at("iteration");
+    const int iteration = field.wholeAtLeast(0);
+    if (!changes.empty() && iteration <= changes.back().iteration) field.refuse(K::fieldNotAscending);
     changes.push_back({iteration, parametersFromJson(entry), {}, {}});
-    if (entry.contains("seeds")) changes.back().seeds = seededClicksFromJson(entry.at("seeds"));
-    if (entry.contains("constraints"))
-      changes.back().constraints = constraintsFromJson(entry.at("constraints"));
+    if (entry.has("seeds")) changes.back().seeds = seededClicksFromJson(entry.at("seeds"));
+    if (entry.has("constraints")) changes.back().constraints = constraintsFromJson(entry.at("constraints"));
   }
   return changes;
 }
 
-ObjectLabel labelFromJson(const Json& json) {
+std::string nameFromJson(const JsonField& json) {
+  const std::string name = json.text();
+  if (nameFaultOf(name) != NameFault::none)
+    json.refuse(K::fieldNoName, {{"most", kLongestName}, {"separators", std::string(kNameSeparators)}});
+  return name;
+}
+
+ObjectLabel labelFromJson(const JsonField& json) {
   ObjectLabel label;
-  label.name = json.at("name").get<std::string>();
-  if (const std::string fault = objectNameFault(label.name); !fault.empty())
-    throw UsageError("the name of the object " + fault + ".");
-  label.term = json.at("term").get<std::string>();
-  if (!termFromName(label.term)) throw UsageError("there is no term '" + label.term + "'.");
-  label.value = integerFromJson(json.at("value"));
-  if (label.value < 1 || label.value > kLargestLabel)
-    throw UsageError("the object's label value is not within 1 and 65535.");
-  const Json& colour = json.at("colour");
-  if (!colour.is_array() || colour.size() != label.colour.size())
-    throw UsageError("the object's colour is not a list of three numbers.");
-  for (std::size_t i = 0; i < label.colour.size(); ++i) {
-    const int part = integerFromJson(colour[i]);
-    if (part < 0 || part > 255) throw UsageError("the object's colour is not within 0 and 255.");
-    label.colour[i] = static_cast<std::uint8_t>(part);
-  }
+  label.name = nameFromJson(json.at("name"));
+  const JsonField term = json.at("term");
+  label.term = term.text();
+  if (!termFromName(label.term)) term.refuseWord();
+  label.value = json.at("value").wholeWithin(1, kLargestLabel);
+  const std::vector<JsonField> colour = json.at("colour").list(label.colour.size());
+  for (std::size_t i = 0; i < label.colour.size(); ++i)
+    label.colour[i] = static_cast<std::uint8_t>(colour[i].wholeWithin(0, 255));
   label.source = sourceFromJson(json);
   return label;
 }
 
 }  // namespace
 
-void readRequest(const Json& json, Session& session) {
+void readRequest(const JsonField& json, Session& session) {
   session.requested = parametersFromJson(json);
-  if (json.contains("space")) session.space = spaceFromJson(json.at("space"));
-  if (json.contains("constraints")) session.constraints = constraintsFromJson(json.at("constraints"));
-  if (json.contains("changes")) session.changes = changesFromJson(json.at("changes"));
-  if (json.contains("stop_at") && !json.at("stop_at").is_null())
-    session.stopAt = iterationFromJson(json.at("stop_at"));
-  if (json.contains("label")) session.label = labelFromJson(json.at("label"));
-  if (json.contains("polish")) session.polish = json.at("polish").get<bool>();
+  if (json.has("space")) session.space = json.at("space").word(spaceFromName);
+  if (json.has("constraints")) session.constraints = constraintsFromJson(json.at("constraints"));
+  if (json.has("changes")) session.changes = changesFromJson(json.at("changes"));
+  if (const auto last = json.given("stop_at")) session.stopAt = last->wholeAtLeast(0);
+  if (json.has("label")) session.label = labelFromJson(json.at("label"));
+  if (json.has("polish")) session.polish = json.at("polish").flag();
   session.seeds = clicksFromJson(json.at("seeds"));
 }
 

@@ -17,6 +17,7 @@ namespace handlebody {
 
 //! Keeps the keys in the order in which they were added.
 using Json = nlohmann::ordered_json;
+class JsonField;  // json_field.h
 
 //! The line that every report carries.
 inline constexpr const char* kNotice = "For research use only; not a medical device.";
@@ -39,7 +40,7 @@ Json certificateToJson(const Certificate& certificate);
 //! without a path "voxels_sha256", where it is known.
 Json referenceToJson(const VolumeReference& volume);
 //! The inverse for what was chosen. Throws as readRequest.
-void readSelection(const Json& json, VolumeSelection& selection);
+void readSelection(const JsonField& json, VolumeSelection& selection);
 //! Adds "calibrated" and "sources" (of size, spacing, origin, direction).
 void addSources(Json& object, const VolumeInfo& info);
 //! "requested": every parameter as asked for, the seeds and the space of the mesh files; where there are any,
@@ -63,14 +64,8 @@ Json traceToJson(const EventTrace& trace);
 //! that are not UTF-8 (a path may have them) are replaced.
 std::string jsonText(const Json& json);
 
-//! Stricter than the library, which also makes numbers of true and false. Throw UsageError.
-double finiteFromJson(const Json& json);
-Vec3 vectorFromJson(const Json& json);
-//! Whole numbers that fit only: the library would cut 1.5 to 1 and wrap what does not fit. Throws UsageError.
-int integerFromJson(const Json& json);
 //! The inverse of requestToJson: parameters, seeds, constraints, space, changes and last iteration of
-//! `session`. Absent keys keep their defaults, null is "automatic". Throws Json::exception for a value of the
-//! wrong type, UsageError for a word or number without meaning.
-void readRequest(const Json& json, Session& session);
+//! `session`. Absent keys keep their defaults, null is "automatic". Throws UsageError, which names the field.
+void readRequest(const JsonField& json, Session& session);
 
 }  // namespace handlebody

@@ -1,6 +1,6 @@
 #include "core/io/report/measures_json.h"
 
-#include "core/errors.h"
+#include "core/io/report/json_field.h"
 
 namespace handlebody {
 
@@ -69,17 +69,22 @@ Json measurementsToJson(const std::vector<Measurement>& measurements) {
   return list;
 }
 
-std::vector<Measurement> measurementsFromJson(const Json& json) {
-  if (!json.is_array()) throw UsageError("its measurements are no list.");
+namespace {
+
+std::optional<MeasurementKind> measurementKindOf(std::string_view name) {
+  if (name == "ruler") return MeasurementKind::ruler;
+  if (name == "angle") return MeasurementKind::angle;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Measurement> measurementsFromJson(const JsonField& json) {
   std::vector<Measurement> list;
-  for (const Json& one : json) {
-    const auto kind = one.at("kind").get<std::string>();
-    if (kind != "ruler" && kind != "angle") throw UsageError("'" + kind + "' is no kind of measurement.");
+  for (const JsonField& one : json.list()) {
     Measurement& m = list.emplace_back();
-    m.kind = kind == "ruler" ? MeasurementKind::ruler : MeasurementKind::angle;
-    for (const Json& p : one.at("points")) m.points.push_back(vectorFromJson(p));
-    if (m.points.size() != pointsOf(m.kind))
-      throw UsageError("a " + kind + " has too few or too many points.");
+    m.kind = one.at("kind").word(measurementKindOf);
+    for (const JsonField& p : one.at("points").list(pointsOf(m.kind))) m.points.push_back(p.point());
   }
   return list;
 }

@@ -26,7 +26,7 @@ Json qualityToJson(const MeshQuality& quality);
 //! "measurements" of a session and a report: "kind" ("ruler" or "angle"), "points" (mm LPS) and the value,
 //! "length_mm" or "angle_degrees".
 Json measurementsToJson(const std::vector<Measurement>& measurements);
-//! The inverse; the value is worked out anew. Throws UsageError, or as the JSON library.
-std::vector<Measurement> measurementsFromJson(const Json& json);
+//! The inverse; the value is worked out anew. Throws UsageError.
+std::vector<Measurement> measurementsFromJson(const JsonField& json);
 
 }  // namespace handlebody

@@ -1,8 +1,9 @@
 #include "core/io/report/over_time_json.h"
 
-#include "core/errors.h"
+#include "core/io/report/json_field.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/session.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -72,17 +73,16 @@ Json correctionToJson(const FrameCorrection& c) {
   return json;
 }
 
-FrameCorrection correctionFromJson(const Json& json) {
+FrameCorrection correctionFromJson(const JsonField& json) {
   Session session;
   readRequest(json, session);
   FrameCorrection c;
-  c.frame = integerFromJson(json.at("frame"));
+  c.frame = json.at("frame").wholeAtLeast(0);
   c.request = {session.seeds, session.requested, session.constraints};
   c.changes = session.changes;
   c.stopAt = session.stopAt;
   if (finalRequest(c).constraints.start || c.request.constraints.start)
-    throw UsageError(
-        "a corrected frame begins with the surface of the frame beside it, not with that of a file.");
+    throw Told<UsageError>(FindingKind::correctedFrameWithStart);
   return c;
 }
 
@@ -108,33 +108,42 @@ Json overTimeToJson(const OverTimeRequest& r) {
   return json;
 }
 
-OverTimeRequest overTimeFromJson(const Json& json) {
+namespace {
+
+OverTimeRequest::Range framesFromJson(const JsonField& json) {
+  const std::vector<JsonField> ends = json.list(2);
+  const OverTimeRequest::Range range{ends[0].wholeAtLeast(0), ends[1].whole()};
+  if (range.last < range.first) json.refuse(FindingKind::fieldNoRange);
+  return range;
+}
+
+std::vector<FrameCorrection> correctionsFromJson(const JsonField& json) {
+  std::vector<FrameCorrection> corrections;
+  for (const JsonField& entry : json.list()) {
+    FrameCorrection next = correctionFromJson(entry);
+    if (!corrections.empty() && next.frame <= corrections.back().frame)
+      entry.at("frame").refuse(FindingKind::fieldNotAscending);
+    corrections.push_back(std::move(next));
+  }
+  return corrections;
+}
+
+//! Whether it is held.
+std::optional<bool> topologyFromName(std::string_view name) {
+  if (name == "held") return true;
+  if (name == "free") return false;
+  return std::nullopt;
+}
+
+}  // namespace
+
+OverTimeRequest overTimeFromJson(const JsonField& json) {
   OverTimeRequest r;
-  const Json& frames = json.at("frames");
-  if (frames != "all") {
-    if (!frames.is_array() || frames.size() != 2) throw UsageError("the frames over time are not a pair.");
-    r.frames = {integerFromJson(frames.at(0)), integerFromJson(frames.at(1))};
-    if (r.frames->first < 0 || r.frames->last < r.frames->first)
-      throw UsageError("the frames over time are no range.");
-  }
-  const auto topology = json.at("topology").get<std::string>();
-  if (topology != "held" && topology != "free") throw UsageError("the topology over time is not known.");
-  r.holdTopology = topology == "held";
-  const auto drift = driftCheckFromName(json.at("drift_check").get<std::string>());
-  if (!drift) throw UsageError("the drift check over time is not known.");
-  r.drift = *drift;
-  if (json.contains("given_frame_time_ms")) {
-    r.frameTime = json.at("given_frame_time_ms").get<double>();
-    if (!(*r.frameTime > 0)) throw UsageError("the time between frames is not above 0.");
-  }
-  if (json.contains("corrections"))
-    for (const Json& entry : json.at("corrections")) {
-      r.corrections.push_back(correctionFromJson(entry));
-      const auto count = r.corrections.size();
-      if (r.corrections.back().frame < 0 ||
-          (count > 1 && r.corrections[count - 2].frame >= r.corrections.back().frame))
-        throw UsageError("the corrected frames are not in ascending order.");
-    }
+  if (const JsonField frames = json.at("frames"); frames.json() != "all") r.frames = framesFromJson(frames);
+  r.holdTopology = json.at("topology").word(topologyFromName);
+  r.drift = json.at("drift_check").word(driftCheckFromName);
+  if (json.has("given_frame_time_ms")) r.frameTime = json.at("given_frame_time_ms").numberAbove(0);
+  if (json.has("corrections")) r.corrections = correctionsFromJson(json.at("corrections"));
   return r;
 }
 

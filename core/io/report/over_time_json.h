@@ -9,8 +9,8 @@ namespace handlebody {
 //! "over_time" of a session: "frames" ([first, last] or "all"), "topology" ("held" or "free"), "drift_check"
 //! ("none", "back" or "wrap") and, where it was given, "given_frame_time_ms".
 Json overTimeToJson(const OverTimeRequest& request);
-//! The inverse. Throws UsageError, or what the JSON library throws.
-OverTimeRequest overTimeFromJson(const Json& json);
+//! The inverse. Throws UsageError.
+OverTimeRequest overTimeFromJson(const JsonField& json);
 //! "over_time" of a report: the same with "time_ms" and where that comes from, "results" per frame, "curve"
 //! (volumes in ml) and "drift" (docs/time.md).
 Json overTimeToJson(const OverTimeReport& report);

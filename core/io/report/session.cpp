@@ -7,9 +7,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/report/json.h"
+#include "core/io/report/json_field.h"
 #include "core/io/report/measures_json.h"
 #include "core/io/report/over_time_json.h"
 #include "core/io/report/session_files.h"
@@ -56,45 +56,46 @@ void locate(Session& session, const std::string& path) {
 }
 
 //! What all objects have in common.
-Session headFromJson(const Json& json, const std::string& path, const std::string& volume) {
+Session headFromJson(const JsonField& json, const std::string& path, const std::string& volume) {
   Session session;
-  session.version = json.at("version").get<std::string>();
-  const Json& input = json.at("input");
+  session.version = json.at("version").text();
+  const JsonField input = json.at("input"), stored = input.at("path"), hash = input.at("sha256");
   session.volume.path = volume;
-  if (volume.empty() && !input.at("path").is_null())
-    session.volume.path = openablePath(input.at("path").get<std::string>(), path);
-  if (!input.at("sha256").is_null()) {
-    session.volume.sha256 = input.at("sha256").get<std::string>();
-    if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
+  if (volume.empty() && !stored.isNull()) session.volume.path = openablePath(stored.text(), path);
+  if (!hash.isNull()) {
+    session.volume.sha256 = hash.text();
+    if (session.volume.sha256.empty()) hash.refuse(K::fieldEmpty);
   }
   readSelection(input, session.volume.selection);
-  session.volume.voxels = input.value("voxels_sha256", std::string());
+  if (input.has("voxels_sha256")) session.volume.voxels = input.at("voxels_sha256").text();
   return session;
 }
 
-std::vector<Session> sessionsFromJson(const Json& json, const std::string& path, const InputPaths& inputs) {
+//! Where each of the objects stands.
+std::vector<JsonField> objectsOf(const JsonField& json) {
+  if (!json.has("objects")) return {json};
+  std::vector<JsonField> objects = json.at("objects").list();
+  if (objects.empty()) throw Told<UsageError>(K::sessionWithoutObjects);
+  return objects;
+}
+
+std::vector<Session> sessionsFromJson(const JsonField& json, const std::string& path,
+                                      const InputPaths& inputs) {
   const Session head = headFromJson(json, path, inputs.volume);
   std::vector<Session> sessions;
-  const auto add = [&](const Json& object) {
+  for (const JsonField& object : objectsOf(json)) {
     sessions.push_back(head);
     readRequest(object.at("requested"), sessions.back());
-  };
-  if (!json.contains("objects")) {
-    add(json);
-  } else {
-    if (!json.at("objects").is_array() || json.at("objects").empty())
-      throw Told<UsageError>(K::sessionWithoutObjects);
-    for (const Json& object : json.at("objects")) add(object);
   }
   if (std::none_of(sessions.begin(), sessions.end(), isSeeded))
     throw Told<UsageError>(K::sessionWithoutSeeds);
-  if (json.contains("over_time")) {
-    if (sessions.size() > 1) throw UsageError("several objects cannot be carried over time.");
+  if (json.has("over_time")) {
+    if (sessions.size() > 1) throw Told<UsageError>(K::overTimeOfSeveral);
     sessions[0].overTime = overTimeFromJson(json.at("over_time"));
   }
   for (Session& session : sessions) locate(session, path);
-  if (json.contains("view")) sessions[0].view = json.at("view").dump();
-  if (json.contains("measurements"))  // of each, since the first may be left out where it has no seed
+  if (json.has("view")) sessions[0].view = json.at("view").json().dump();
+  if (json.has("measurements"))  // of each, since the first may be left out where it has no seed
     for (Session& session : sessions) session.measurements = measurementsFromJson(json.at("measurements"));
   return sessions;
 }
@@ -110,9 +111,12 @@ Finding unexpected(const Json::exception& error) {
 //! `path`: of the session or report.
 std::vector<Session> parsed(const std::string& text, const std::string& path, const InputPaths& inputs) {
   try {
-    return sessionsFromJson(Json::parse(text), path, inputs);
+    const Json json = Json::parse(text);
+    return sessionsFromJson(JsonField(json), path, inputs);
   } catch (const Json::parse_error&) {
     throw Told<InputError>(Finding(K::notJson, {{"file", path}}));
+  } catch (const Json::out_of_range&) {  // of the parser: no double is as large
+    throw Told<InputError>(Finding(K::notASession, {{"file", path}}, K::jsonNumberTooLarge));
   } catch (const Json::exception& error) {
     throw Told<InputError>(Finding(K::notASession, {{"file", path}}, unexpected(error)));
   } catch (const std::exception& error) {
@@ -192,8 +196,7 @@ Session anonymous(Session session) {
 Session readSession(const std::string& path, const InputPaths& inputs) {
   std::vector<Session> sessions = readSessions(path, inputs);
   if (sessions.size() > 1)
-    throw InputError(path + " holds " + std::to_string(sessions.size()) +
-                     " objects, where one is needed; handlebody-cli replay makes them all.");
+    throw Told<InputError>(Finding(K::severalObjects, {{"file", path}, {"objects", sessions.size()}}));
   return std::move(sessions[0]);
 }
 

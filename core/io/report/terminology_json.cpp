@@ -1,6 +1,6 @@
 #include "core/io/report/terminology_json.h"
 
-#include "core/errors.h"
+#include "core/io/report/json_field.h"
 
 namespace handlebody {
 
@@ -16,33 +16,32 @@ Json termToJson(const ModifiedTerm& term) {
   return json;
 }
 
-CodedTerm codedFromJson(const Json& json) {
-  return {json.at("value").get<std::string>(), json.at("scheme").get<std::string>(),
-          json.at("meaning").get<std::string>()};
+CodedTerm codedFromJson(const JsonField& json) {
+  return {json.at("value").text(), json.at("scheme").text(), json.at("meaning").text()};
 }
 
-ModifiedTerm modifiedFromJson(const Json& json) {
+ModifiedTerm modifiedFromJson(const JsonField& json) {
   ModifiedTerm term{codedFromJson(json), {}};
-  if (json.contains("modifiers"))
-    for (const Json& modifier : json.at("modifiers")) term.modifiers.push_back(codedFromJson(modifier));
+  if (json.has("modifiers"))
+    for (const JsonField& modifier : json.at("modifiers").list())
+      term.modifiers.push_back(codedFromJson(modifier));
   return term;
 }
 
 //! Files of others are read leniently, our own as they were written.
-Terminology terminologyFromJson(const Json& json) {
+Terminology terminologyFromJson(const JsonField& json) {
   Terminology said{codedFromJson(json.at("category")), modifiedFromJson(json.at("type")), {}};
-  if (json.contains("region")) said.region = modifiedFromJson(json.at("region"));
-  if (usable(said) != said)
-    throw UsageError("a code of the object's terminology is empty, too long, or holds what separates codes.");
+  if (json.has("region")) said.region = modifiedFromJson(json.at("region"));
+  if (usable(said) != said) json.refuse(FindingKind::fieldBadCode);
   return said;
 }
 
-SegmentAlgorithm algorithmFromJson(const Json& json) {
-  const auto type = json.at("type").get<std::string>(), name = json.value("name", std::string());
-  const std::optional<SegmentAlgorithm> said = algorithmSaid(type, name);
-  if (!said) throw UsageError("there is no type of algorithm '" + type + "'.");
-  if (said->name != name) throw UsageError("the name of the object's algorithm cannot be written.");
-  return *said;
+SegmentAlgorithm algorithmFromJson(const JsonField& json) {
+  const std::string name = json.has("name") ? json.at("name").text() : std::string();
+  const SegmentAlgorithm said =
+      json.at("type").word([&](const std::string& type) { return algorithmSaid(type, name); });
+  if (said.name != name) json.at("name").refuse(FindingKind::fieldNotWritable);
+  return said;
 }
 
 }  // namespace
@@ -60,10 +59,10 @@ void addSource(Json& object, const SegmentSource& source) {
   if (!source.algorithm->name.empty()) object["algorithm"]["name"] = source.algorithm->name;
 }
 
-SegmentSource sourceFromJson(const Json& object) {
+SegmentSource sourceFromJson(const JsonField& object) {
   SegmentSource source;
-  if (object.contains("terminology")) source.terminology = terminologyFromJson(object.at("terminology"));
-  if (object.contains("algorithm")) source.algorithm = algorithmFromJson(object.at("algorithm"));
+  if (object.has("terminology")) source.terminology = terminologyFromJson(object.at("terminology"));
+  if (object.has("algorithm")) source.algorithm = algorithmFromJson(object.at("algorithm"));
   return source;
 }
 

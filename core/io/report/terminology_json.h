@@ -11,8 +11,7 @@ Json terminologyToJson(const Terminology& terminology);
 
 //! Adds "terminology" and "algorithm" ({"type", "name"}), each where it is said.
 void addSource(Json& object, const SegmentSource& source);
-//! The inverse. Throws Json::exception for a value of the wrong type, UsageError for a code or name that
-//! could not be written, and a type that there is not.
-SegmentSource sourceFromJson(const Json& object);
+//! The inverse. Throws UsageError, also for a code or name that could not be written.
+SegmentSource sourceFromJson(const JsonField& object);
 
 }  // namespace handlebody

@@ -53,9 +53,8 @@ void placeFiles(std::vector<Session>& sessions, FindingKind missing, const std::
   bool anyFile = false;
   forEachFile(sessions, missing, [&](const auto&) { anyFile = true; });
   if (!anyFile)
-    throw InputError(paths.front() + (missing == K::sessionWithoutWalls
-                                          ? " is not needed: the session has no walls of a label map."
-                                          : " is not needed: nothing in the session begins with a surface."));
+    throw Told<InputError>(Finding(missing == K::sessionWithoutWalls ? K::wallsNotNeeded : K::startNotNeeded,
+                                   {{"file", paths.front()}}));
   std::vector<std::string> left;
   for (const std::string& path : paths) {
     const std::string hash = sha256OfPath(path);
@@ -76,8 +75,7 @@ void placeFiles(std::vector<Session>& sessions, FindingKind missing, const std::
   });
   if (!anyUnknown) throw Told<InputError>(Finding(refusalOf(missing), {{"file", left.front()}}));
   if (left.size() > 1)
-    throw InputError(left[1] + ": the session does not keep which file is meant, so that only one can be; " +
-                     left[0] + " is given, too.");
+    throw Told<InputError>(Finding(K::onlyOneFile, {{"file", left[1]}, {"other", left[0]}}));
 }
 
 }  // namespace handlebody

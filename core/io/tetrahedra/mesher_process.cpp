@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -12,10 +11,11 @@
 #include <sstream>
 
 #include "core/cancellation.h"
-#include "core/errors.h"
 #include "core/indices.h"
+#include "core/io/atomic_file.h"
 #include "core/io/tetrahedra/limited_program.h"
 #include "core/phase.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -30,8 +30,7 @@ class WorkFolder {
  public:
   WorkFolder() : path_((fs::temp_directory_path() / "handlebody-XXXXXX").string()) {
     if (!::mkdtemp(path_.data()))
-      throw OutputError("no folder for temporary files can be made: " + std::string(std::strerror(errno)) +
-                        ".");
+      throw Told<OutputError>(Finding(FindingKind::noTemporaryFolder, {}, systemFinding(errno)));
   }
   ~WorkFolder() {
     std::error_code ignored;

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "core/cancellation.h"
-#include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/lowered.h"
 #include "core/io/tetrahedra/tetrahedra.h"
@@ -127,7 +126,7 @@ void writeTetrahedra(const Tetrahedra& tetrahedra, const std::vector<ExportedObj
     out.precision(std::numeric_limits<double>::max_digits10);
     const Contents contents{tetrahedra, objects, space};
     (ending == ".msh" ? writeMsh : ending == ".inp" ? writeInp : writeVtu)(contents, out);
-    if (!out.flush()) throw OutputError(path + " cannot be written.");
+    if (!out.flush()) refuseOutput(path, FindingKind::diskMayBeFull);
   });
 }
 

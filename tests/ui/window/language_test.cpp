@@ -15,8 +15,10 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/io/report/session.h"
 #include "tests/ui/window/layout_support.h"
 #include "tests/ui/window/window_support.h"
+#include "ui/model/error_sentence.h"
 #include "ui/model/finding_text.h"
 #include "ui/model/opening.h"
 #include "ui/window/help/help_window.h"
@@ -205,6 +207,7 @@ class LanguageTest : public QObject {
   void numbersAndFindingsAreWrittenAsTheLanguageDoes();
   void everyFindingIsToldInEveryLanguage();
   void whatIsWrongWithAFileIsToldInEveryLanguage();
+  void whatIsWrongWithASessionIsToldInEveryLanguage();
   void whatIsToBeKnownOfAFileIsToldInEveryLanguage();
   void filesAreTheSameInEveryLanguage();
   void theLanguageIsChosenByOptionEnvironmentSettingAndSystem();
@@ -368,6 +371,34 @@ void LanguageTest::whatIsWrongWithAFileIsToldInEveryLanguage() {
   QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
   QCOMPARE(failed.front().front().toString(),
            files.front() + QStringLiteral(": es gibt keine solche Datei und keinen solchen Ordner."));
+}
+
+void LanguageTest::whatIsWrongWithASessionIsToldInEveryLanguage() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("s.json"));
+  QFile file(path);
+  QVERIFY(file.open(QFile::WriteOnly));
+  file.write(R"({"version": "1", "input": {"path": "v.mha", "sha256": null},
+                 "requested": {"seeds": [{"centre": [1, 2]}]}})");
+  file.close();
+  const auto told = [&path] {
+    try {
+      readSessions(path.toStdString());
+    } catch (const std::exception&) {
+      return ui::errorSentence();
+    }
+    return QString();
+  };
+  ui::useLanguage(QStringLiteral("en"));
+  QVERIFY(told().contains(QStringLiteral("its field 'requested.seeds[0].centre' must have 3 entries")));
+  for (const QString& code : translatedLanguages()) {
+    ui::useLanguage(code);
+    const QString said = told();
+    QVERIFY2(said.contains(path) && said.contains(QStringLiteral("requested.seeds[0].centre")),
+             qPrintable(said));
+    QVERIFY2(!said.contains(QStringLiteral("field '")) && !said.contains(QStringLiteral("session nor")),
+             qPrintable(said));
+  }
 }
 
 void LanguageTest::whatIsToBeKnownOfAFileIsToldInEveryLanguage() {
