@@ -6,6 +6,7 @@
 #include "core/evolution/click_faults.h"
 #include "core/evolution/contour_state.h"
 #include "core/evolution/image_warnings.h"
+#include "core/evolution/parameter_limits.h"
 #include "core/indices.h"
 #include "core/mesh/morton_order.h"
 #include "core/told_error.h"
@@ -134,17 +135,15 @@ StepReport ActiveContour::State::editStep(const MeshEdit& edit) {
 
 namespace {
 
-//! Beyond these nothing of the image is left, or of the surface in it, and there is no end of memory.
 void requireWithin(const Parameters& p, const Grid& grid) {
-  double longest = 0;
-  for (int a = 0; a < 3; ++a) longest = std::max(longest, grid.size[idx(a)] * grid.spacing[a]);
+  const ParameterLimits limits = limitsFor(grid);
   const auto require = [&](const std::optional<double>& given, double most, FindingKind kind) {
     if (given && *given > most)
       throw Told<UsageError>(
-          Finding(kind, {{"given_mm", *given}, {"longest_mm", longest}, {"most_mm", most}}));
+          Finding(kind, {{"given_mm", *given}, {"longest_mm", limits.longestSide}, {"most_mm", most}}));
   };
-  require(p.smoothing, longest / 4, FindingKind::smoothingTooLarge);
-  require(p.edgeLength, longest / 2, FindingKind::edgeTooLarge);
+  require(p.smoothing, limits.smoothing, FindingKind::smoothingTooLarge);
+  require(p.edgeLength, limits.edgeLength, FindingKind::edgeTooLarge);
 }
 
 }  // namespace

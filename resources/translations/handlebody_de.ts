@@ -460,10 +460,6 @@
         <translation>bei Iteration {iteration} hält eine Grenze der Topologie: {cause}; Schritt 4, Wachsen, fragt, ob es geschehen darf</translation>
     </message>
     <message>
-        <source>at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, {hold} holds it without asking again</source>
-        <translation>bei Iteration {iteration} hält eine Grenze der Topologie: {cause}; {allow} lässt es geschehen, {hold} hält es, ohne erneut zu fragen</translation>
-    </message>
-    <message>
         <source>it would enclose a cavity of {ml:3g} ml at {place:1f}</source>
         <translation>sie würde bei {place:1f} einen Hohlraum von {ml:3g} ml einschließen</translation>
     </message>
@@ -1448,10 +1444,6 @@
         <translation>die Farbpalette von {slice} fehlt oder ist beschädigt</translation>
     </message>
     <message>
-        <source>it holds several series or stacks, choose one with --series</source>
-        <translation>es sind mehrere Serien oder Stapel enthalten, wählen Sie eine mit --series</translation>
-    </message>
-    <message>
         <source>There are {frames:0f} time points; frame 0 is used (step 1, Open, chooses another).</source>
         <translation>Es gibt {frames:0f} Zeitpunkte; Bild 0 wird verwendet (Schritt 1, Öffnen, wählt ein anderes).</translation>
     </message>
@@ -1794,6 +1786,366 @@
     <message>
         <source>it needs an extension of {format} that is not supported ({extension})</source>
         <translation>die Datei braucht eine Erweiterung von {format}, die nicht unterstützt wird ({extension})</translation>
+    </message>
+    <message>
+        <source>an object begins with one surface or is one, not both.</source>
+        <translation>Ein Objekt beginnt mit einer Oberfläche oder ist eine, nicht beides.</translation>
+    </message>
+    <message>
+        <source>something in it is not what it should be ({reason}).</source>
+        <translation>Etwas darin ist nicht, wie es sein soll ({reason}).</translation>
+    </message>
+    <message>
+        <source>The balloon weight must be a number above 0.</source>
+        <translation>Das Gewicht des Ballons muss eine Zahl über 0 sein.</translation>
+    </message>
+    <message>
+        <source>The curvature weight must be a number of at least 0.</source>
+        <translation>Das Gewicht der Krümmung muss eine Zahl von mindestens 0 sein.</translation>
+    </message>
+    <message>
+        <source>The number of iterations must not be negative.</source>
+        <translation>Die Zahl der Iterationen darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>The number of threads must be between 0 and 1024.</source>
+        <translation>Die Zahl der Threads muss zwischen 0 und 1024 liegen.</translation>
+    </message>
+    <message>
+        <source>The smoothing must be at least 0 mm.</source>
+        <translation>Die Glättung muss mindestens 0 mm betragen.</translation>
+    </message>
+    <message>
+        <source>The edge length must be above 0 mm.</source>
+        <translation>Die Kantenlänge muss über 0 mm liegen.</translation>
+    </message>
+    <message>
+        <source>The smoothing of {given_mm} mm is too large for a volume whose longest side is {longest_mm} mm: at most {most_mm} mm.</source>
+        <translation>Die Glättung von {given_mm} mm ist zu groß für ein Bildvolumen, dessen längste Seite {longest_mm} mm misst: höchstens {most_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The edge length of {given_mm} mm is too large for a volume whose longest side is {longest_mm} mm: at most {most_mm} mm.</source>
+        <translation>Die Kantenlänge von {given_mm} mm ist zu groß für ein Bildvolumen, dessen längste Seite {longest_mm} mm misst: höchstens {most_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The number of components must be at least 1.</source>
+        <translation>Die Zahl der Komponenten muss mindestens 1 sein.</translation>
+    </message>
+    <message>
+        <source>The genus must be at least 0.</source>
+        <translation>Das Geschlecht muss mindestens 0 sein.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} has no radius above 0 mm.</source>
+        <translation>Die Wand bei {place} hat keinen Radius über 0 mm.</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} has no radius above 0 mm.</source>
+        <translation>Die Wandscheibe bei {place} hat keinen Radius über 0 mm.</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} mm has a normal of no length.</source>
+        <translation>Die Wandscheibe bei {place} mm hat eine Normale der Länge null.</translation>
+    </message>
+    <message>
+        <source>The label map of the walls has not been read.</source>
+        <translation>Die Labelkarte der Wände ist nicht gelesen worden.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, has not been read.</source>
+        <translation>Die Oberfläche, mit der begonnen wird, {file}, ist nicht gelesen worden.</translation>
+    </message>
+    <message>
+        <source>A veto needs an iteration of at least 1 and a place.</source>
+        <translation>Ein Veto braucht eine Iteration von mindestens 1 und einen Ort.</translation>
+    </message>
+    <message>
+        <source>Iteration {iteration:0f} is an edit: there is nothing that a veto could forbid.</source>
+        <translation>Iteration {iteration:0f} ist eine Bearbeitung: dort gibt es nichts, was ein Veto verbieten könnte.</translation>
+    </message>
+    <message>
+        <source>The pin at {place} has no radius above 0 mm.</source>
+        <translation>Die Fixierung bei {place} hat keinen Radius über 0 mm.</translation>
+    </message>
+    <message>
+        <source>The pin at {place} mm has an iteration below 0.</source>
+        <translation>Die Fixierung bei {place} mm hat eine Iteration unter 0.</translation>
+    </message>
+    <message>
+        <source>An edit needs an iteration of at least 1 and a place.</source>
+        <translation>Eine Bearbeitung braucht eine Iteration von mindestens 1 und einen Ort.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a number that is not finite.</source>
+        <translation>Die Bearbeitung für Iteration {iteration:0f} hat eine Zahl, die nicht endlich ist.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has no radius above 0 mm.</source>
+        <translation>Die Bearbeitung für Iteration {iteration:0f} hat keinen Radius über 0 mm.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a radius below 0 mm.</source>
+        <translation>Die Bearbeitung für Iteration {iteration:0f} hat einen Radius unter 0 mm.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a normal of no length.</source>
+        <translation>Die Bearbeitung für Iteration {iteration:0f} hat eine Normale der Länge null.</translation>
+    </message>
+    <message>
+        <source>There are two edits of iteration {iteration:0f}: a step can be one only.</source>
+        <translation>Es gibt zwei Bearbeitungen für Iteration {iteration:0f}: ein Schritt kann nur eine sein.</translation>
+    </message>
+    <message>
+        <source>The veto of iteration {iteration:0f} has nothing to forbid: the growth ended at iteration {now:0f}.</source>
+        <translation>Das Veto für Iteration {iteration:0f} hat nichts zu verbieten: das Wachstum endete bei Iteration {now:0f}.</translation>
+    </message>
+    <message>
+        <source>The pin {pin} holds nothing: the growth ended at iteration {now:0f}.</source>
+        <translation>Die Fixierung {pin} hält nichts: das Wachstum endete bei Iteration {now:0f}.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} is never made: the growth ended at iteration {now:0f}.</source>
+        <translation>Die Bearbeitung für Iteration {iteration:0f} wird nie ausgeführt: das Wachstum endete bei Iteration {now:0f}.</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself in single precision: the volume lies too far from the origin.</source>
+        <translation>Die Oberfläche durchdringt sich selbst in einfacher Genauigkeit: das Bildvolumen liegt zu weit vom Ursprung entfernt.</translation>
+    </message>
+    <message>
+        <source>{sampling_mm:4g} mm between samples would take more than {most:0f} samples of these surfaces.</source>
+        <translation>{sampling_mm:4g} mm zwischen Abtastpunkten würden mehr als {most:0f} Abtastpunkte dieser Oberflächen erfordern.</translation>
+    </message>
+    <message>
+        <source>{file}: it {cause}.</source>
+        <translation>{file}: {cause}.</translation>
+    </message>
+    <message>
+        <source>the {format} file is damaged ({cause})</source>
+        <translation>die {format}-Datei ist beschädigt ({cause})</translation>
+    </message>
+    <message>
+        <source>{part} is missing</source>
+        <translation>{part} fehlt</translation>
+    </message>
+    <message>
+        <source>object {object:0f} is missing</source>
+        <translation>Objekt {object:0f} fehlt</translation>
+    </message>
+    <message>
+        <source>object {object:0f} holds itself</source>
+        <translation>Objekt {object:0f} enthält sich selbst</translation>
+    </message>
+    <message>
+        <source>two objects {object:0f}</source>
+        <translation>zwei Objekte mit der Nummer {object:0f}</translation>
+    </message>
+    <message>
+        <source>an object without a number</source>
+        <translation>ein Objekt ohne Nummer</translation>
+    </message>
+    <message>
+        <source>too deeply nested components</source>
+        <translation>zu tief verschachtelte Komponenten</translation>
+    </message>
+    <message>
+        <source>more than {most:0f} objects and components</source>
+        <translation>mehr als {most:0f} Objekte und Komponenten</translation>
+    </message>
+    <message>
+        <source>a component or an item without an object</source>
+        <translation>eine Komponente oder ein Element ohne Objekt</translation>
+    </message>
+    <message>
+        <source>a transform that is not twelve numbers</source>
+        <translation>eine Transformation, die nicht aus zwölf Zahlen besteht</translation>
+    </message>
+    <message>
+        <source>unit {unit}</source>
+        <translation>Einheit {unit}</translation>
+    </message>
+    <message>
+        <source>the compression of {part}</source>
+        <translation>die Komprimierung von {part}</translation>
+    </message>
+    <message>
+        <source>the size of {part}</source>
+        <translation>die Größe von {part}</translation>
+    </message>
+    <message>
+        <source>{cause} in line {line:0f} of {part}</source>
+        <translation>{cause} in Zeile {line:0f} von {part}</translation>
+    </message>
+    <message>
+        <source>XML: {reason}</source>
+        <translation>XML-Fehler: {reason}</translation>
+    </message>
+    <message>
+        <source>too deeply nested XML</source>
+        <translation>zu tief verschachteltes XML</translation>
+    </message>
+    <message>
+        <source>a document type declaration</source>
+        <translation>eine Dokumenttyp-Deklaration</translation>
+    </message>
+    <message>
+        <source>a tag of more than a megabyte</source>
+        <translation>ein Tag von mehr als einem Megabyte</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>it has no field &apos;{field}&apos;.</source>
+        <translation>ihr fehlt das Feld „{field}“.</translation>
+    </message>
+    <message>
+        <source>this version does not know its field &apos;{field}&apos;.</source>
+        <translation>diese Version kennt das Feld „{field}“ darin nicht.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a JSON object.</source>
+        <translation>das Feld „{field}“ darin ist kein JSON-Objekt.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a list.</source>
+        <translation>das Feld „{field}“ darin ist keine Liste.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; must have {needed:0f} entries; it has {count:0f}.</source>
+        <translation>das Feld „{field}“ darin muss {needed:0f} Einträge haben; es hat {count:0f}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a text.</source>
+        <translation>das Feld „{field}“ darin ist kein Text.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, neither true nor false.</source>
+        <translation>das Feld „{field}“ darin ist {value}, weder true noch false.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, not a number.</source>
+        <translation>das Feld „{field}“ darin ist {value}, keine Zahl.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, not a whole number in range.</source>
+        <translation>das Feld „{field}“ darin ist {value}, keine ganze Zahl im möglichen Bereich.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be at least {least}.</source>
+        <translation>das Feld „{field}“ darin ist {value} und muss mindestens {least} sein.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be above {least}.</source>
+        <translation>das Feld „{field}“ darin ist {value} und muss über {least} liegen.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be from {least:0f} to {most:0f}.</source>
+        <translation>das Feld „{field}“ darin ist {value} und muss zwischen {least:0f} und {most:0f} liegen.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is &apos;{value}&apos;, a word that this version does not know.</source>
+        <translation>das Feld „{field}“ darin ist „{value}“, ein Wort, das diese Version nicht kennt.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is empty.</source>
+        <translation>das Feld „{field}“ darin ist leer.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is no range: its lower end is above its upper end.</source>
+        <translation>das Feld „{field}“ darin ist kein Bereich: sein unteres Ende liegt über dem oberen.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not above that of the entry before it.</source>
+        <translation>das Feld „{field}“ darin liegt nicht über dem des Eintrags davor.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is 0, which is no label.</source>
+        <translation>das Feld „{field}“ darin ist 0, was kein Label ist.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is a vector of no length.</source>
+        <translation>das Feld „{field}“ darin ist ein Vektor der Länge null.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
+        <translation>das Feld „{field}“ darin kann kein Objekt benennen: ein Name hat 1 bis {most:0f} Zeichen, keine Steuerzeichen und keines von {separators}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; has a code that is empty, too long, or holds what separates codes.</source>
+        <translation>das Feld „{field}“ darin hat einen Code, der leer oder zu lang ist oder ein Zeichen enthält, das Codes trennt.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is a name that cannot be written into files.</source>
+        <translation>das Feld „{field}“ darin ist ein Name, der nicht in Dateien geschrieben werden kann.</translation>
+    </message>
+    <message>
+        <source>it holds a number that is too large.</source>
+        <translation>sie enthält eine zu große Zahl.</translation>
+    </message>
+    <message>
+        <source>several objects cannot be carried over time.</source>
+        <translation>mehrere Objekte können nicht über die Zeit mitgeführt werden.</translation>
+    </message>
+    <message>
+        <source>a corrected frame begins with the surface of the frame beside it, not with that of a file.</source>
+        <translation>ein korrigiertes Bild beginnt mit der Oberfläche des Bildes daneben, nicht mit der einer Datei.</translation>
+    </message>
+    <message>
+        <source>{file} holds {objects:0f} objects, where one is needed; handlebody-cli replay makes them all.</source>
+        <translation>{file} enthält {objects:0f} Objekte, wo eines nötig ist; handlebody-cli replay erzeugt sie alle.</translation>
+    </message>
+    <message>
+        <source>{file} is not needed: the session has no walls of a label map.</source>
+        <translation>{file} wird nicht gebraucht: die Sitzung hat keine Wände aus einer Labelkarte.</translation>
+    </message>
+    <message>
+        <source>{file} is not needed: nothing in the session begins with a surface.</source>
+        <translation>{file} wird nicht gebraucht: nichts in der Sitzung beginnt mit einer Oberfläche.</translation>
+    </message>
+    <message>
+        <source>{file}: the session does not keep which file is meant, so that only one can be; {other} is given, too.</source>
+        <translation>{file}: die Sitzung hält nicht fest, welche Datei gemeint ist, sodass es nur eine sein kann; {other} ist ebenfalls angegeben.</translation>
+    </message>
+    <message>
+        <source>{file}: a series is chosen in DICOM alone, this is {format}.</source>
+        <translation>{file}: eine Serie wird nur in DICOM gewählt, dies ist {format}.</translation>
+    </message>
+    <message>
+        <source>{file}: a spacing is not above 0.</source>
+        <translation>{file}: ein Voxelabstand liegt nicht über 0.</translation>
+    </message>
+    <message>
+        <source>{file}: meshes are written as .stl, .vtp, .ply or .obj.</source>
+        <translation>{file}: Netze werden als .stl, .vtp, .ply oder .obj geschrieben.</translation>
+    </message>
+    <message>
+        <source>{file}: a mesh with values is written as .vtp.</source>
+        <translation>{file}: ein Netz mit Werten wird als .vtp geschrieben.</translation>
+    </message>
+    <message>
+        <source>{file}: volumes are written as .nii.gz, .nii, .nrrd or .mha.</source>
+        <translation>{file}: Bildvolumen werden als .nii.gz, .nii, .nrrd oder .mha geschrieben.</translation>
+    </message>
+    <message>
+        <source>{file}: 4D volumes are written as .nii.gz, .nii or .nrrd.</source>
+        <translation>{file}: 4D-Bildvolumen werden als .nii.gz, .nii oder .nrrd geschrieben.</translation>
+    </message>
+    <message>
+        <source>a volume to be written needs at least two voxels along each axis</source>
+        <translation>ein Bildvolumen, das geschrieben wird, braucht entlang jeder Achse mindestens zwei Voxel</translation>
+    </message>
+    <message>
+        <source>VTK wrote no scene of it</source>
+        <translation>VTK hat keine Szene davon geschrieben</translation>
+    </message>
+    <message>
+        <source>no folder for temporary files can be made: {cause}.</source>
+        <translation>es kann kein Ordner für temporäre Dateien angelegt werden: {cause}.</translation>
     </message>
 </context>
 <context>

@@ -460,10 +460,6 @@
         <translation>en la iteración {iteration} retiene un límite de la topología: {cause}; el paso 4, Crecer, pregunta si puede ocurrir</translation>
     </message>
     <message>
-        <source>at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, {hold} holds it without asking again</source>
-        <translation>en la iteración {iteration} retiene un límite de la topología: {cause}; {allow} deja que ocurra, {hold} lo retiene sin volver a preguntar</translation>
-    </message>
-    <message>
         <source>it would enclose a cavity of {ml:3g} ml at {place:1f}</source>
         <translation>encerraría una cavidad de {ml:3g} ml en {place:1f}</translation>
     </message>
@@ -1448,10 +1444,6 @@
         <translation>la paleta de {slice} falta o está dañada</translation>
     </message>
     <message>
-        <source>it holds several series or stacks, choose one with --series</source>
-        <translation>contiene varias series o pilas, elija una con --series</translation>
-    </message>
-    <message>
         <source>There are {frames:0f} time points; frame 0 is used (step 1, Open, chooses another).</source>
         <translation>Hay {frames:0f} instantes; se usa el fotograma 0 (el paso 1, Abrir, elige otro).</translation>
     </message>
@@ -1794,6 +1786,366 @@
     <message>
         <source>it needs an extension of {format} that is not supported ({extension})</source>
         <translation>necesita una extensión de {format} que no se admite ({extension})</translation>
+    </message>
+    <message>
+        <source>an object begins with one surface or is one, not both.</source>
+        <translation>Un objeto comienza con una superficie o es una, pero no ambas cosas.</translation>
+    </message>
+    <message>
+        <source>something in it is not what it should be ({reason}).</source>
+        <translation>Algo en el archivo no es como debería ser ({reason}).</translation>
+    </message>
+    <message>
+        <source>The balloon weight must be a number above 0.</source>
+        <translation>El peso del globo debe ser un número mayor que 0.</translation>
+    </message>
+    <message>
+        <source>The curvature weight must be a number of at least 0.</source>
+        <translation>El peso de la curvatura debe ser un número igual o mayor que 0.</translation>
+    </message>
+    <message>
+        <source>The number of iterations must not be negative.</source>
+        <translation>El número de iteraciones no puede ser negativo.</translation>
+    </message>
+    <message>
+        <source>The number of threads must be between 0 and 1024.</source>
+        <translation>El número de hilos debe estar entre 0 y 1024.</translation>
+    </message>
+    <message>
+        <source>The smoothing must be at least 0 mm.</source>
+        <translation>El suavizado debe ser de al menos 0 mm.</translation>
+    </message>
+    <message>
+        <source>The edge length must be above 0 mm.</source>
+        <translation>La longitud de arista debe ser mayor que 0 mm.</translation>
+    </message>
+    <message>
+        <source>The smoothing of {given_mm} mm is too large for a volume whose longest side is {longest_mm} mm: at most {most_mm} mm.</source>
+        <translation>El suavizado de {given_mm} mm es demasiado grande para un volumen cuyo lado más largo mide {longest_mm} mm: como máximo {most_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The edge length of {given_mm} mm is too large for a volume whose longest side is {longest_mm} mm: at most {most_mm} mm.</source>
+        <translation>La longitud de arista de {given_mm} mm es demasiado grande para un volumen cuyo lado más largo mide {longest_mm} mm: como máximo {most_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The number of components must be at least 1.</source>
+        <translation>El número de componentes debe ser al menos 1.</translation>
+    </message>
+    <message>
+        <source>The genus must be at least 0.</source>
+        <translation>El género debe ser al menos 0.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} has no radius above 0 mm.</source>
+        <translation>La barrera en {place} no tiene un radio mayor que 0 mm.</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} has no radius above 0 mm.</source>
+        <translation>El disco de barrera en {place} no tiene un radio mayor que 0 mm.</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} mm has a normal of no length.</source>
+        <translation>El disco de barrera en {place} mm tiene una normal de longitud nula.</translation>
+    </message>
+    <message>
+        <source>The label map of the walls has not been read.</source>
+        <translation>El mapa de etiquetas de las barreras no se ha leído.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, has not been read.</source>
+        <translation>La superficie inicial, {file}, no se ha leído.</translation>
+    </message>
+    <message>
+        <source>A veto needs an iteration of at least 1 and a place.</source>
+        <translation>Un veto necesita una iteración de al menos 1 y un lugar.</translation>
+    </message>
+    <message>
+        <source>Iteration {iteration:0f} is an edit: there is nothing that a veto could forbid.</source>
+        <translation>La iteración {iteration:0f} es una edición: no hay nada que un veto pueda prohibir.</translation>
+    </message>
+    <message>
+        <source>The pin at {place} has no radius above 0 mm.</source>
+        <translation>La fijación en {place} no tiene un radio mayor que 0 mm.</translation>
+    </message>
+    <message>
+        <source>The pin at {place} mm has an iteration below 0.</source>
+        <translation>La fijación en {place} mm tiene una iteración menor que 0.</translation>
+    </message>
+    <message>
+        <source>An edit needs an iteration of at least 1 and a place.</source>
+        <translation>Una edición necesita una iteración de al menos 1 y un lugar.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a number that is not finite.</source>
+        <translation>La edición de la iteración {iteration:0f} tiene un número que no es finito.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has no radius above 0 mm.</source>
+        <translation>La edición de la iteración {iteration:0f} no tiene un radio mayor que 0 mm.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a radius below 0 mm.</source>
+        <translation>La edición de la iteración {iteration:0f} tiene un radio menor que 0 mm.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a normal of no length.</source>
+        <translation>La edición de la iteración {iteration:0f} tiene una normal de longitud nula.</translation>
+    </message>
+    <message>
+        <source>There are two edits of iteration {iteration:0f}: a step can be one only.</source>
+        <translation>Hay dos ediciones de la iteración {iteration:0f}: un paso solo puede ser una.</translation>
+    </message>
+    <message>
+        <source>The veto of iteration {iteration:0f} has nothing to forbid: the growth ended at iteration {now:0f}.</source>
+        <translation>El veto de la iteración {iteration:0f} no tiene nada que prohibir: el crecimiento terminó en la iteración {now:0f}.</translation>
+    </message>
+    <message>
+        <source>The pin {pin} holds nothing: the growth ended at iteration {now:0f}.</source>
+        <translation>La fijación {pin} no sujeta nada: el crecimiento terminó en la iteración {now:0f}.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} is never made: the growth ended at iteration {now:0f}.</source>
+        <translation>La edición de la iteración {iteration:0f} no se hace nunca: el crecimiento terminó en la iteración {now:0f}.</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself in single precision: the volume lies too far from the origin.</source>
+        <translation>La superficie se interseca consigo misma en precisión simple: el volumen está demasiado lejos del origen.</translation>
+    </message>
+    <message>
+        <source>{sampling_mm:4g} mm between samples would take more than {most:0f} samples of these surfaces.</source>
+        <translation>{sampling_mm:4g} mm entre muestras exigirían más de {most:0f} muestras de estas superficies.</translation>
+    </message>
+    <message>
+        <source>{file}: it {cause}.</source>
+        <translation>{file}: {cause}.</translation>
+    </message>
+    <message>
+        <source>the {format} file is damaged ({cause})</source>
+        <translation>el archivo {format} está dañado ({cause})</translation>
+    </message>
+    <message>
+        <source>{part} is missing</source>
+        <translation>falta {part}</translation>
+    </message>
+    <message>
+        <source>object {object:0f} is missing</source>
+        <translation>falta el objeto {object:0f}</translation>
+    </message>
+    <message>
+        <source>object {object:0f} holds itself</source>
+        <translation>el objeto {object:0f} se contiene a sí mismo</translation>
+    </message>
+    <message>
+        <source>two objects {object:0f}</source>
+        <translation>dos objetos con el número {object:0f}</translation>
+    </message>
+    <message>
+        <source>an object without a number</source>
+        <translation>un objeto sin número</translation>
+    </message>
+    <message>
+        <source>too deeply nested components</source>
+        <translation>componentes anidados a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>more than {most:0f} objects and components</source>
+        <translation>más de {most:0f} objetos y componentes</translation>
+    </message>
+    <message>
+        <source>a component or an item without an object</source>
+        <translation>un componente o un elemento sin objeto</translation>
+    </message>
+    <message>
+        <source>a transform that is not twelve numbers</source>
+        <translation>una transformación que no consta de doce números</translation>
+    </message>
+    <message>
+        <source>unit {unit}</source>
+        <translation>unidad {unit}</translation>
+    </message>
+    <message>
+        <source>the compression of {part}</source>
+        <translation>la compresión de {part}</translation>
+    </message>
+    <message>
+        <source>the size of {part}</source>
+        <translation>el tamaño de {part}</translation>
+    </message>
+    <message>
+        <source>{cause} in line {line:0f} of {part}</source>
+        <translation>{cause} en la línea {line:0f} de {part}</translation>
+    </message>
+    <message>
+        <source>XML: {reason}</source>
+        <translation>error de XML: {reason}</translation>
+    </message>
+    <message>
+        <source>too deeply nested XML</source>
+        <translation>XML anidado a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>a document type declaration</source>
+        <translation>una declaración de tipo de documento</translation>
+    </message>
+    <message>
+        <source>a tag of more than a megabyte</source>
+        <translation>una etiqueta de más de un megabyte</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>una lista</translation>
+    </message>
+    <message>
+        <source>it has no field &apos;{field}&apos;.</source>
+        <translation>le falta el campo «{field}».</translation>
+    </message>
+    <message>
+        <source>this version does not know its field &apos;{field}&apos;.</source>
+        <translation>esta versión no conoce su campo «{field}».</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a JSON object.</source>
+        <translation>su campo «{field}» no es un objeto JSON.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a list.</source>
+        <translation>su campo «{field}» no es una lista.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; must have {needed:0f} entries; it has {count:0f}.</source>
+        <translation>su campo «{field}» debe tener {needed:0f} elementos; tiene {count:0f}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a text.</source>
+        <translation>su campo «{field}» no es un texto.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, neither true nor false.</source>
+        <translation>su campo «{field}» es {value}, ni true ni false.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, not a number.</source>
+        <translation>su campo «{field}» es {value}, que no es un número.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, not a whole number in range.</source>
+        <translation>su campo «{field}» es {value}, que no es un número entero dentro de los límites.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be at least {least}.</source>
+        <translation>su campo «{field}» es {value} y debe ser al menos {least}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be above {least}.</source>
+        <translation>su campo «{field}» es {value} y debe ser mayor que {least}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be from {least:0f} to {most:0f}.</source>
+        <translation>su campo «{field}» es {value} y debe estar entre {least:0f} y {most:0f}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is &apos;{value}&apos;, a word that this version does not know.</source>
+        <translation>su campo «{field}» es «{value}», una palabra que esta versión no conoce.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is empty.</source>
+        <translation>su campo «{field}» está vacío.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is no range: its lower end is above its upper end.</source>
+        <translation>su campo «{field}» no es un intervalo: su extremo inferior está por encima del superior.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not above that of the entry before it.</source>
+        <translation>su campo «{field}» no es mayor que el del elemento anterior.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is 0, which is no label.</source>
+        <translation>su campo «{field}» es 0, que no es una etiqueta.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is a vector of no length.</source>
+        <translation>su campo «{field}» es un vector de longitud nula.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
+        <translation>su campo «{field}» no puede nombrar un objeto: un nombre tiene de 1 a {most:0f} caracteres, sin caracteres de control ni ninguno de {separators}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; has a code that is empty, too long, or holds what separates codes.</source>
+        <translation>su campo «{field}» tiene un código vacío, demasiado largo o que contiene lo que separa los códigos.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is a name that cannot be written into files.</source>
+        <translation>su campo «{field}» es un nombre que no se puede escribir en archivos.</translation>
+    </message>
+    <message>
+        <source>it holds a number that is too large.</source>
+        <translation>contiene un número demasiado grande.</translation>
+    </message>
+    <message>
+        <source>several objects cannot be carried over time.</source>
+        <translation>no se pueden llevar varios objetos a lo largo del tiempo.</translation>
+    </message>
+    <message>
+        <source>a corrected frame begins with the surface of the frame beside it, not with that of a file.</source>
+        <translation>un fotograma corregido empieza con la superficie del fotograma vecino, no con la de un archivo.</translation>
+    </message>
+    <message>
+        <source>{file} holds {objects:0f} objects, where one is needed; handlebody-cli replay makes them all.</source>
+        <translation>{file} contiene {objects:0f} objetos, donde se necesita uno; handlebody-cli replay los hace todos.</translation>
+    </message>
+    <message>
+        <source>{file} is not needed: the session has no walls of a label map.</source>
+        <translation>{file} no hace falta: la sesión no tiene barreras de un mapa de etiquetas.</translation>
+    </message>
+    <message>
+        <source>{file} is not needed: nothing in the session begins with a surface.</source>
+        <translation>{file} no hace falta: nada en la sesión empieza con una superficie.</translation>
+    </message>
+    <message>
+        <source>{file}: the session does not keep which file is meant, so that only one can be; {other} is given, too.</source>
+        <translation>{file}: la sesión no guarda a qué archivo se refiere, así que solo puede ser uno; también se da {other}.</translation>
+    </message>
+    <message>
+        <source>{file}: a series is chosen in DICOM alone, this is {format}.</source>
+        <translation>{file}: una serie solo se elige en DICOM, esto es {format}.</translation>
+    </message>
+    <message>
+        <source>{file}: a spacing is not above 0.</source>
+        <translation>{file}: un espaciado no es mayor que 0.</translation>
+    </message>
+    <message>
+        <source>{file}: meshes are written as .stl, .vtp, .ply or .obj.</source>
+        <translation>{file}: las mallas se escriben como .stl, .vtp, .ply u .obj.</translation>
+    </message>
+    <message>
+        <source>{file}: a mesh with values is written as .vtp.</source>
+        <translation>{file}: una malla con valores se escribe como .vtp.</translation>
+    </message>
+    <message>
+        <source>{file}: volumes are written as .nii.gz, .nii, .nrrd or .mha.</source>
+        <translation>{file}: los volúmenes se escriben como .nii.gz, .nii, .nrrd o .mha.</translation>
+    </message>
+    <message>
+        <source>{file}: 4D volumes are written as .nii.gz, .nii or .nrrd.</source>
+        <translation>{file}: los volúmenes 4D se escriben como .nii.gz, .nii o .nrrd.</translation>
+    </message>
+    <message>
+        <source>a volume to be written needs at least two voxels along each axis</source>
+        <translation>un volumen que se escribe necesita al menos dos vóxeles a lo largo de cada eje</translation>
+    </message>
+    <message>
+        <source>VTK wrote no scene of it</source>
+        <translation>VTK no escribió ninguna escena de ello</translation>
+    </message>
+    <message>
+        <source>no folder for temporary files can be made: {cause}.</source>
+        <translation>no se puede crear una carpeta para archivos temporales: {cause}.</translation>
     </message>
 </context>
 <context>

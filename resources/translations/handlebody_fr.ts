@@ -460,10 +460,6 @@
         <translation>à l’itération {iteration}, une limite de la topologie retient : {cause} ; l’étape 4, Croître, demande si cela peut se produire</translation>
     </message>
     <message>
-        <source>at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, {hold} holds it without asking again</source>
-        <translation>à l’itération {iteration}, une limite de la topologie retient : {cause} ; {allow} le laisse se produire, {hold} le retient sans redemander</translation>
-    </message>
-    <message>
         <source>it would enclose a cavity of {ml:3g} ml at {place:1f}</source>
         <translation>elle enfermerait une cavité de {ml:3g} ml en {place:1f}</translation>
     </message>
@@ -1448,10 +1444,6 @@
         <translation>la palette de {slice} manque ou est endommagée</translation>
     </message>
     <message>
-        <source>it holds several series or stacks, choose one with --series</source>
-        <translation>plusieurs séries ou piles sont présentes, choisissez-en une avec --series</translation>
-    </message>
-    <message>
         <source>There are {frames:0f} time points; frame 0 is used (step 1, Open, chooses another).</source>
         <translation>Il y a {frames:0f} instants ; l’image 0 est utilisée (l’étape 1, Ouvrir, en choisit une autre).</translation>
     </message>
@@ -1794,6 +1786,366 @@
     <message>
         <source>it needs an extension of {format} that is not supported ({extension})</source>
         <translation>il lui faut une extension de {format} qui n’est pas prise en charge ({extension})</translation>
+    </message>
+    <message>
+        <source>an object begins with one surface or is one, not both.</source>
+        <translation>Un objet commence par une surface ou en est une, mais pas les deux.</translation>
+    </message>
+    <message>
+        <source>something in it is not what it should be ({reason}).</source>
+        <translation>Quelque chose n’y est pas comme il se doit ({reason}).</translation>
+    </message>
+    <message>
+        <source>The balloon weight must be a number above 0.</source>
+        <translation>Le poids du ballon doit être un nombre supérieur à 0.</translation>
+    </message>
+    <message>
+        <source>The curvature weight must be a number of at least 0.</source>
+        <translation>Le poids de la courbure doit être un nombre supérieur ou égal à 0.</translation>
+    </message>
+    <message>
+        <source>The number of iterations must not be negative.</source>
+        <translation>Le nombre d’itérations ne doit pas être négatif.</translation>
+    </message>
+    <message>
+        <source>The number of threads must be between 0 and 1024.</source>
+        <translation>Le nombre de fils d’exécution doit être compris entre 0 et 1024.</translation>
+    </message>
+    <message>
+        <source>The smoothing must be at least 0 mm.</source>
+        <translation>Le lissage doit être d’au moins 0 mm.</translation>
+    </message>
+    <message>
+        <source>The edge length must be above 0 mm.</source>
+        <translation>La longueur d’arête doit être supérieure à 0 mm.</translation>
+    </message>
+    <message>
+        <source>The smoothing of {given_mm} mm is too large for a volume whose longest side is {longest_mm} mm: at most {most_mm} mm.</source>
+        <translation>Le lissage de {given_mm} mm est trop grand pour un volume dont le plus long côté mesure {longest_mm} mm : {most_mm} mm au plus.</translation>
+    </message>
+    <message>
+        <source>The edge length of {given_mm} mm is too large for a volume whose longest side is {longest_mm} mm: at most {most_mm} mm.</source>
+        <translation>La longueur d’arête de {given_mm} mm est trop grande pour un volume dont le plus long côté mesure {longest_mm} mm : {most_mm} mm au plus.</translation>
+    </message>
+    <message>
+        <source>The number of components must be at least 1.</source>
+        <translation>Le nombre de composantes doit être d’au moins 1.</translation>
+    </message>
+    <message>
+        <source>The genus must be at least 0.</source>
+        <translation>Le genre doit être d’au moins 0.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} has no radius above 0 mm.</source>
+        <translation>La barrière à {place} n’a pas de rayon supérieur à 0 mm.</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} has no radius above 0 mm.</source>
+        <translation>Le disque barrière à {place} n’a pas de rayon supérieur à 0 mm.</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} mm has a normal of no length.</source>
+        <translation>Le disque barrière à {place} mm a une normale de longueur nulle.</translation>
+    </message>
+    <message>
+        <source>The label map of the walls has not been read.</source>
+        <translation>La carte d’étiquettes des barrières n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, has not been read.</source>
+        <translation>La surface de départ, {file}, n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>A veto needs an iteration of at least 1 and a place.</source>
+        <translation>Un veto exige une itération d’au moins 1 et un endroit.</translation>
+    </message>
+    <message>
+        <source>Iteration {iteration:0f} is an edit: there is nothing that a veto could forbid.</source>
+        <translation>L’itération {iteration:0f} est une retouche : il n’y a rien qu’un veto puisse interdire.</translation>
+    </message>
+    <message>
+        <source>The pin at {place} has no radius above 0 mm.</source>
+        <translation>La fixation à {place} n’a pas de rayon supérieur à 0 mm.</translation>
+    </message>
+    <message>
+        <source>The pin at {place} mm has an iteration below 0.</source>
+        <translation>La fixation à {place} mm a une itération inférieure à 0.</translation>
+    </message>
+    <message>
+        <source>An edit needs an iteration of at least 1 and a place.</source>
+        <translation>Une retouche exige une itération d’au moins 1 et un endroit.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a number that is not finite.</source>
+        <translation>La retouche de l’itération {iteration:0f} a un nombre qui n’est pas fini.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has no radius above 0 mm.</source>
+        <translation>La retouche de l’itération {iteration:0f} n’a pas de rayon supérieur à 0 mm.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a radius below 0 mm.</source>
+        <translation>La retouche de l’itération {iteration:0f} a un rayon inférieur à 0 mm.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a normal of no length.</source>
+        <translation>La retouche de l’itération {iteration:0f} a une normale de longueur nulle.</translation>
+    </message>
+    <message>
+        <source>There are two edits of iteration {iteration:0f}: a step can be one only.</source>
+        <translation>Il y a deux retouches de l’itération {iteration:0f} : un pas ne peut en être qu’une.</translation>
+    </message>
+    <message>
+        <source>The veto of iteration {iteration:0f} has nothing to forbid: the growth ended at iteration {now:0f}.</source>
+        <translation>Le veto de l’itération {iteration:0f} n’a rien à interdire : la croissance s’est terminée à l’itération {now:0f}.</translation>
+    </message>
+    <message>
+        <source>The pin {pin} holds nothing: the growth ended at iteration {now:0f}.</source>
+        <translation>La fixation {pin} ne retient rien : la croissance s’est terminée à l’itération {now:0f}.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} is never made: the growth ended at iteration {now:0f}.</source>
+        <translation>La retouche de l’itération {iteration:0f} n’est jamais faite : la croissance s’est terminée à l’itération {now:0f}.</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself in single precision: the volume lies too far from the origin.</source>
+        <translation>La surface s’intersecte elle-même en simple précision : le volume est trop loin de l’origine.</translation>
+    </message>
+    <message>
+        <source>{sampling_mm:4g} mm between samples would take more than {most:0f} samples of these surfaces.</source>
+        <translation>{sampling_mm:4g} mm entre les échantillons exigeraient plus de {most:0f} échantillons de ces surfaces.</translation>
+    </message>
+    <message>
+        <source>{file}: it {cause}.</source>
+        <translation>{file} : {cause}.</translation>
+    </message>
+    <message>
+        <source>the {format} file is damaged ({cause})</source>
+        <translation>le fichier {format} est endommagé ({cause})</translation>
+    </message>
+    <message>
+        <source>{part} is missing</source>
+        <translation>{part} manque</translation>
+    </message>
+    <message>
+        <source>object {object:0f} is missing</source>
+        <translation>l’objet {object:0f} manque</translation>
+    </message>
+    <message>
+        <source>object {object:0f} holds itself</source>
+        <translation>l’objet {object:0f} se contient lui-même</translation>
+    </message>
+    <message>
+        <source>two objects {object:0f}</source>
+        <translation>deux objets de numéro {object:0f}</translation>
+    </message>
+    <message>
+        <source>an object without a number</source>
+        <translation>un objet sans numéro</translation>
+    </message>
+    <message>
+        <source>too deeply nested components</source>
+        <translation>composants imbriqués trop profondément</translation>
+    </message>
+    <message>
+        <source>more than {most:0f} objects and components</source>
+        <translation>plus de {most:0f} objets et composants</translation>
+    </message>
+    <message>
+        <source>a component or an item without an object</source>
+        <translation>un composant ou un élément sans objet</translation>
+    </message>
+    <message>
+        <source>a transform that is not twelve numbers</source>
+        <translation>une transformation qui n’est pas faite de douze nombres</translation>
+    </message>
+    <message>
+        <source>unit {unit}</source>
+        <translation>unité {unit}</translation>
+    </message>
+    <message>
+        <source>the compression of {part}</source>
+        <translation>la compression de {part}</translation>
+    </message>
+    <message>
+        <source>the size of {part}</source>
+        <translation>la taille de {part}</translation>
+    </message>
+    <message>
+        <source>{cause} in line {line:0f} of {part}</source>
+        <translation>{cause} à la ligne {line:0f} de {part}</translation>
+    </message>
+    <message>
+        <source>XML: {reason}</source>
+        <translation>XML : {reason}</translation>
+    </message>
+    <message>
+        <source>too deeply nested XML</source>
+        <translation>XML imbriqué trop profondément</translation>
+    </message>
+    <message>
+        <source>a document type declaration</source>
+        <translation>une déclaration de type de document</translation>
+    </message>
+    <message>
+        <source>a tag of more than a megabyte</source>
+        <translation>une balise de plus d’un mégaoctet</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>une liste</translation>
+    </message>
+    <message>
+        <source>it has no field &apos;{field}&apos;.</source>
+        <translation>le champ « {field} » lui manque.</translation>
+    </message>
+    <message>
+        <source>this version does not know its field &apos;{field}&apos;.</source>
+        <translation>cette version ne connaît pas son champ « {field} ».</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a JSON object.</source>
+        <translation>son champ « {field} » n’est pas un objet JSON.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a list.</source>
+        <translation>son champ « {field} » n’est pas une liste.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; must have {needed:0f} entries; it has {count:0f}.</source>
+        <translation>son champ « {field} » doit avoir {needed:0f} éléments ; il en a {count:0f}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a text.</source>
+        <translation>son champ « {field} » n’est pas un texte.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, neither true nor false.</source>
+        <translation>son champ « {field} » est {value}, ni true ni false.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, not a number.</source>
+        <translation>son champ « {field} » est {value}, qui n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, not a whole number in range.</source>
+        <translation>son champ « {field} » est {value}, qui n’est pas un nombre entier dans les limites.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be at least {least}.</source>
+        <translation>son champ « {field} » est {value} et doit être d’au moins {least}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be above {least}.</source>
+        <translation>son champ « {field} » est {value} et doit être supérieur à {least}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be from {least:0f} to {most:0f}.</source>
+        <translation>son champ « {field} » est {value} et doit être compris entre {least:0f} et {most:0f}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is &apos;{value}&apos;, a word that this version does not know.</source>
+        <translation>son champ « {field} » est « {value} », un mot que cette version ne connaît pas.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is empty.</source>
+        <translation>son champ « {field} » est vide.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is no range: its lower end is above its upper end.</source>
+        <translation>son champ « {field} » n’est pas un intervalle : sa borne inférieure dépasse sa borne supérieure.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not above that of the entry before it.</source>
+        <translation>son champ « {field} » n’est pas supérieur à celui de l’élément précédent.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is 0, which is no label.</source>
+        <translation>son champ « {field} » est 0, qui n’est pas une étiquette.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is a vector of no length.</source>
+        <translation>son champ « {field} » est un vecteur de longueur nulle.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
+        <translation>son champ « {field} » ne peut pas nommer un objet : un nom a de 1 à {most:0f} caractères, sans caractère de contrôle ni aucun de {separators}.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; has a code that is empty, too long, or holds what separates codes.</source>
+        <translation>son champ « {field} » a un code vide, trop long ou qui contient ce qui sépare les codes.</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is a name that cannot be written into files.</source>
+        <translation>son champ « {field} » est un nom qui ne peut pas être écrit dans des fichiers.</translation>
+    </message>
+    <message>
+        <source>it holds a number that is too large.</source>
+        <translation>elle contient un nombre trop grand.</translation>
+    </message>
+    <message>
+        <source>several objects cannot be carried over time.</source>
+        <translation>plusieurs objets ne peuvent pas être suivis dans le temps.</translation>
+    </message>
+    <message>
+        <source>a corrected frame begins with the surface of the frame beside it, not with that of a file.</source>
+        <translation>une image corrigée commence par la surface de l’image voisine, non par celle d’un fichier.</translation>
+    </message>
+    <message>
+        <source>{file} holds {objects:0f} objects, where one is needed; handlebody-cli replay makes them all.</source>
+        <translation>{file} contient {objects:0f} objets, là où il en faut un ; handlebody-cli replay les fait tous.</translation>
+    </message>
+    <message>
+        <source>{file} is not needed: the session has no walls of a label map.</source>
+        <translation>{file} n’est pas nécessaire : la session n’a pas de barrières d’une carte d’étiquettes.</translation>
+    </message>
+    <message>
+        <source>{file} is not needed: nothing in the session begins with a surface.</source>
+        <translation>{file} n’est pas nécessaire : rien dans la session ne commence par une surface.</translation>
+    </message>
+    <message>
+        <source>{file}: the session does not keep which file is meant, so that only one can be; {other} is given, too.</source>
+        <translation>{file} : la session ne retient pas quel fichier est visé, de sorte qu’il ne peut y en avoir qu’un ; {other} est donné aussi.</translation>
+    </message>
+    <message>
+        <source>{file}: a series is chosen in DICOM alone, this is {format}.</source>
+        <translation>{file} : on ne choisit une série que dans DICOM, ceci est {format}.</translation>
+    </message>
+    <message>
+        <source>{file}: a spacing is not above 0.</source>
+        <translation>{file} : un espacement n’est pas supérieur à 0.</translation>
+    </message>
+    <message>
+        <source>{file}: meshes are written as .stl, .vtp, .ply or .obj.</source>
+        <translation>{file} : les maillages sont écrits en .stl, .vtp, .ply ou .obj.</translation>
+    </message>
+    <message>
+        <source>{file}: a mesh with values is written as .vtp.</source>
+        <translation>{file} : un maillage avec des valeurs est écrit en .vtp.</translation>
+    </message>
+    <message>
+        <source>{file}: volumes are written as .nii.gz, .nii, .nrrd or .mha.</source>
+        <translation>{file} : les volumes sont écrits en .nii.gz, .nii, .nrrd ou .mha.</translation>
+    </message>
+    <message>
+        <source>{file}: 4D volumes are written as .nii.gz, .nii or .nrrd.</source>
+        <translation>{file} : les volumes 4D sont écrits en .nii.gz, .nii ou .nrrd.</translation>
+    </message>
+    <message>
+        <source>a volume to be written needs at least two voxels along each axis</source>
+        <translation>un volume à écrire a besoin d’au moins deux voxels le long de chaque axe</translation>
+    </message>
+    <message>
+        <source>VTK wrote no scene of it</source>
+        <translation>VTK n’en a pas écrit de scène</translation>
+    </message>
+    <message>
+        <source>no folder for temporary files can be made: {cause}.</source>
+        <translation>aucun dossier pour les fichiers temporaires ne peut être créé : {cause}.</translation>
     </message>
 </context>
 <context>

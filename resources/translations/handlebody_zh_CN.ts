@@ -460,10 +460,6 @@
         <translation>第 {iteration} 次迭代时拓扑限制起作用：{cause}；第 4 步“生长”询问是否允许发生</translation>
     </message>
     <message>
-        <source>at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, {hold} holds it without asking again</source>
-        <translation>第 {iteration} 次迭代时拓扑限制起作用：{cause}；{allow} 允许其发生，{hold} 阻止它且不再询问</translation>
-    </message>
-    <message>
         <source>it would enclose a cavity of {ml:3g} ml at {place:1f}</source>
         <translation>它将在 {place:1f} 处围出 {ml:3g} ml 的空腔</translation>
     </message>
@@ -1448,10 +1444,6 @@
         <translation>{slice} 的调色板缺失或已损坏</translation>
     </message>
     <message>
-        <source>it holds several series or stacks, choose one with --series</source>
-        <translation>其中包含多个序列或堆栈，请用 --series 选择一个</translation>
-    </message>
-    <message>
         <source>There are {frames:0f} time points; frame 0 is used (step 1, Open, chooses another).</source>
         <translation>共有 {frames:0f} 个时间点；使用第 0 帧（可在第 1 步“打开”中另选）。</translation>
     </message>
@@ -1794,6 +1786,366 @@
     <message>
         <source>it needs an extension of {format} that is not supported ({extension})</source>
         <translation>它需要不受支持的 {format} 扩展（{extension}）</translation>
+    </message>
+    <message>
+        <source>an object begins with one surface or is one, not both.</source>
+        <translation>目标要么以一个表面开始，要么本身就是一个表面，不能两者兼有。</translation>
+    </message>
+    <message>
+        <source>something in it is not what it should be ({reason}).</source>
+        <translation>其中有内容不符合要求（{reason}）。</translation>
+    </message>
+    <message>
+        <source>The balloon weight must be a number above 0.</source>
+        <translation>气球力的权重必须是大于 0 的数。</translation>
+    </message>
+    <message>
+        <source>The curvature weight must be a number of at least 0.</source>
+        <translation>曲率的权重必须是不小于 0 的数。</translation>
+    </message>
+    <message>
+        <source>The number of iterations must not be negative.</source>
+        <translation>迭代次数不能为负。</translation>
+    </message>
+    <message>
+        <source>The number of threads must be between 0 and 1024.</source>
+        <translation>线程数必须在 0 到 1024 之间。</translation>
+    </message>
+    <message>
+        <source>The smoothing must be at least 0 mm.</source>
+        <translation>平滑至少应为 0 mm。</translation>
+    </message>
+    <message>
+        <source>The edge length must be above 0 mm.</source>
+        <translation>边长必须大于 0 mm。</translation>
+    </message>
+    <message>
+        <source>The smoothing of {given_mm} mm is too large for a volume whose longest side is {longest_mm} mm: at most {most_mm} mm.</source>
+        <translation>平滑 {given_mm} mm 对最长边为 {longest_mm} mm 的体数据来说过大：最多 {most_mm} mm。</translation>
+    </message>
+    <message>
+        <source>The edge length of {given_mm} mm is too large for a volume whose longest side is {longest_mm} mm: at most {most_mm} mm.</source>
+        <translation>边长 {given_mm} mm 对最长边为 {longest_mm} mm 的体数据来说过大：最多 {most_mm} mm。</translation>
+    </message>
+    <message>
+        <source>The number of components must be at least 1.</source>
+        <translation>连通分量的个数至少为 1。</translation>
+    </message>
+    <message>
+        <source>The genus must be at least 0.</source>
+        <translation>亏格至少为 0。</translation>
+    </message>
+    <message>
+        <source>The wall at {place} has no radius above 0 mm.</source>
+        <translation>位于 {place} 的屏障没有大于 0 mm 的半径。</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} has no radius above 0 mm.</source>
+        <translation>位于 {place} 的屏障圆盘没有大于 0 mm 的半径。</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} mm has a normal of no length.</source>
+        <translation>位于 {place} mm 的屏障圆盘的法向量长度为零。</translation>
+    </message>
+    <message>
+        <source>The label map of the walls has not been read.</source>
+        <translation>屏障的标签图尚未读取。</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, has not been read.</source>
+        <translation>起始表面 {file} 尚未读取。</translation>
+    </message>
+    <message>
+        <source>A veto needs an iteration of at least 1 and a place.</source>
+        <translation>否决需要不小于 1 的迭代序号和一个位置。</translation>
+    </message>
+    <message>
+        <source>Iteration {iteration:0f} is an edit: there is nothing that a veto could forbid.</source>
+        <translation>第 {iteration:0f} 次迭代是一次编辑：没有可以否决的内容。</translation>
+    </message>
+    <message>
+        <source>The pin at {place} has no radius above 0 mm.</source>
+        <translation>位于 {place} 的固定没有大于 0 mm 的半径。</translation>
+    </message>
+    <message>
+        <source>The pin at {place} mm has an iteration below 0.</source>
+        <translation>位于 {place} mm 的固定的迭代序号小于 0。</translation>
+    </message>
+    <message>
+        <source>An edit needs an iteration of at least 1 and a place.</source>
+        <translation>编辑需要不小于 1 的迭代序号和一个位置。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a number that is not finite.</source>
+        <translation>第 {iteration:0f} 次迭代的编辑含有非有限的数。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has no radius above 0 mm.</source>
+        <translation>第 {iteration:0f} 次迭代的编辑没有大于 0 mm 的半径。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a radius below 0 mm.</source>
+        <translation>第 {iteration:0f} 次迭代的编辑的半径小于 0 mm。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} has a normal of no length.</source>
+        <translation>第 {iteration:0f} 次迭代的编辑的法向量长度为零。</translation>
+    </message>
+    <message>
+        <source>There are two edits of iteration {iteration:0f}: a step can be one only.</source>
+        <translation>第 {iteration:0f} 次迭代有两次编辑：一步只能是一次编辑。</translation>
+    </message>
+    <message>
+        <source>The veto of iteration {iteration:0f} has nothing to forbid: the growth ended at iteration {now:0f}.</source>
+        <translation>第 {iteration:0f} 次迭代的否决没有可禁止的内容：生长在第 {now:0f} 次迭代结束。</translation>
+    </message>
+    <message>
+        <source>The pin {pin} holds nothing: the growth ended at iteration {now:0f}.</source>
+        <translation>固定 {pin} 没有固定任何东西：生长在第 {now:0f} 次迭代结束。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration:0f} is never made: the growth ended at iteration {now:0f}.</source>
+        <translation>第 {iteration:0f} 次迭代的编辑不会执行：生长在第 {now:0f} 次迭代结束。</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself in single precision: the volume lies too far from the origin.</source>
+        <translation>表面在单精度下自相交：体数据离原点太远。</translation>
+    </message>
+    <message>
+        <source>{sampling_mm:4g} mm between samples would take more than {most:0f} samples of these surfaces.</source>
+        <translation>采样间距 {sampling_mm:4g} mm 需要对这些表面取超过 {most:0f} 个采样点。</translation>
+    </message>
+    <message>
+        <source>{file}: it {cause}.</source>
+        <translation>{file}：{cause}。</translation>
+    </message>
+    <message>
+        <source>the {format} file is damaged ({cause})</source>
+        <translation>{format} 文件已损坏（{cause}）</translation>
+    </message>
+    <message>
+        <source>{part} is missing</source>
+        <translation>缺少 {part}</translation>
+    </message>
+    <message>
+        <source>object {object:0f} is missing</source>
+        <translation>缺少对象 {object:0f}</translation>
+    </message>
+    <message>
+        <source>object {object:0f} holds itself</source>
+        <translation>对象 {object:0f} 包含其自身</translation>
+    </message>
+    <message>
+        <source>two objects {object:0f}</source>
+        <translation>有两个编号为 {object:0f} 的对象</translation>
+    </message>
+    <message>
+        <source>an object without a number</source>
+        <translation>有一个对象没有编号</translation>
+    </message>
+    <message>
+        <source>too deeply nested components</source>
+        <translation>组件嵌套过深</translation>
+    </message>
+    <message>
+        <source>more than {most:0f} objects and components</source>
+        <translation>对象和组件超过 {most:0f} 个</translation>
+    </message>
+    <message>
+        <source>a component or an item without an object</source>
+        <translation>有组件或条目没有对象</translation>
+    </message>
+    <message>
+        <source>a transform that is not twelve numbers</source>
+        <translation>有变换不是十二个数</translation>
+    </message>
+    <message>
+        <source>unit {unit}</source>
+        <translation>单位 {unit}</translation>
+    </message>
+    <message>
+        <source>the compression of {part}</source>
+        <translation>{part} 的压缩方式</translation>
+    </message>
+    <message>
+        <source>the size of {part}</source>
+        <translation>{part} 的大小</translation>
+    </message>
+    <message>
+        <source>{cause} in line {line:0f} of {part}</source>
+        <translation>{part} 第 {line:0f} 行：{cause}</translation>
+    </message>
+    <message>
+        <source>XML: {reason}</source>
+        <translation>XML：{reason}</translation>
+    </message>
+    <message>
+        <source>too deeply nested XML</source>
+        <translation>XML 嵌套过深</translation>
+    </message>
+    <message>
+        <source>a document type declaration</source>
+        <translation>含有文档类型声明</translation>
+    </message>
+    <message>
+        <source>a tag of more than a megabyte</source>
+        <translation>标记超过 1 兆字节</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>it has no field &apos;{field}&apos;.</source>
+        <translation>它没有字段“{field}”。</translation>
+    </message>
+    <message>
+        <source>this version does not know its field &apos;{field}&apos;.</source>
+        <translation>此版本不认识其字段“{field}”。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a JSON object.</source>
+        <translation>其字段“{field}”不是 JSON 对象。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a list.</source>
+        <translation>其字段“{field}”不是列表。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; must have {needed:0f} entries; it has {count:0f}.</source>
+        <translation>其字段“{field}”必须有 {needed:0f} 项，而实际有 {count:0f} 项。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not a text.</source>
+        <translation>其字段“{field}”不是文本。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, neither true nor false.</source>
+        <translation>其字段“{field}”是 {value}，既不是 true 也不是 false。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, not a number.</source>
+        <translation>其字段“{field}”是 {value}，不是数。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, not a whole number in range.</source>
+        <translation>其字段“{field}”是 {value}，不是允许范围内的整数。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be at least {least}.</source>
+        <translation>其字段“{field}”是 {value}，而至少应为 {least}。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be above {least}.</source>
+        <translation>其字段“{field}”是 {value}，而必须大于 {least}。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is {value}, and must be from {least:0f} to {most:0f}.</source>
+        <translation>其字段“{field}”是 {value}，而必须在 {least:0f} 到 {most:0f} 之间。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is &apos;{value}&apos;, a word that this version does not know.</source>
+        <translation>其字段“{field}”是“{value}”，此版本不认识这个词。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is empty.</source>
+        <translation>其字段“{field}”为空。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is no range: its lower end is above its upper end.</source>
+        <translation>其字段“{field}”不是范围：下限高于上限。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is not above that of the entry before it.</source>
+        <translation>其字段“{field}”不大于前一项的值。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is 0, which is no label.</source>
+        <translation>其字段“{field}”是 0，不是标签。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is a vector of no length.</source>
+        <translation>其字段“{field}”是长度为零的向量。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
+        <translation>其字段“{field}”不能作为目标的名称：名称有 1 到 {most:0f} 个字符，不含控制字符，也不含 {separators} 中的任何字符。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; has a code that is empty, too long, or holds what separates codes.</source>
+        <translation>其字段“{field}”含有空的、过长的或带有分隔符的代码。</translation>
+    </message>
+    <message>
+        <source>its field &apos;{field}&apos; is a name that cannot be written into files.</source>
+        <translation>其字段“{field}”是无法写入文件的名称。</translation>
+    </message>
+    <message>
+        <source>it holds a number that is too large.</source>
+        <translation>其中有一个过大的数。</translation>
+    </message>
+    <message>
+        <source>several objects cannot be carried over time.</source>
+        <translation>多个目标不能随时间传递。</translation>
+    </message>
+    <message>
+        <source>a corrected frame begins with the surface of the frame beside it, not with that of a file.</source>
+        <translation>校正过的帧从相邻帧的表面开始，而不是从文件的表面开始。</translation>
+    </message>
+    <message>
+        <source>{file} holds {objects:0f} objects, where one is needed; handlebody-cli replay makes them all.</source>
+        <translation>{file} 含有 {objects:0f} 个目标，而这里需要一个；handlebody-cli replay 可生成全部目标。</translation>
+    </message>
+    <message>
+        <source>{file} is not needed: the session has no walls of a label map.</source>
+        <translation>不需要 {file}：会话没有来自标签图的屏障。</translation>
+    </message>
+    <message>
+        <source>{file} is not needed: nothing in the session begins with a surface.</source>
+        <translation>不需要 {file}：会话中没有从表面开始的目标。</translation>
+    </message>
+    <message>
+        <source>{file}: the session does not keep which file is meant, so that only one can be; {other} is given, too.</source>
+        <translation>{file}：会话没有记录所指的是哪个文件，因此只能给出一个；但还给出了 {other}。</translation>
+    </message>
+    <message>
+        <source>{file}: a series is chosen in DICOM alone, this is {format}.</source>
+        <translation>{file}：只有 DICOM 才能选择序列，而这是 {format}。</translation>
+    </message>
+    <message>
+        <source>{file}: a spacing is not above 0.</source>
+        <translation>{file}：有一个间距不大于 0。</translation>
+    </message>
+    <message>
+        <source>{file}: meshes are written as .stl, .vtp, .ply or .obj.</source>
+        <translation>{file}：网格写为 .stl、.vtp、.ply 或 .obj。</translation>
+    </message>
+    <message>
+        <source>{file}: a mesh with values is written as .vtp.</source>
+        <translation>{file}：带数值的网格写为 .vtp。</translation>
+    </message>
+    <message>
+        <source>{file}: volumes are written as .nii.gz, .nii, .nrrd or .mha.</source>
+        <translation>{file}：体数据写为 .nii.gz、.nii、.nrrd 或 .mha。</translation>
+    </message>
+    <message>
+        <source>{file}: 4D volumes are written as .nii.gz, .nii or .nrrd.</source>
+        <translation>{file}：4D 体数据写为 .nii.gz、.nii 或 .nrrd。</translation>
+    </message>
+    <message>
+        <source>a volume to be written needs at least two voxels along each axis</source>
+        <translation>要写入的体数据沿每个轴至少需要两个体素</translation>
+    </message>
+    <message>
+        <source>VTK wrote no scene of it</source>
+        <translation>VTK 没有写出场景</translation>
+    </message>
+    <message>
+        <source>no folder for temporary files can be made: {cause}.</source>
+        <translation>无法创建临时文件夹：{cause}。</translation>
     </message>
 </context>
 <context>
