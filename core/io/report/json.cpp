@@ -335,6 +335,15 @@ std::vector<Seed> seededClicksFromJson(const JsonField& json) {
   return clicks;
 }
 
+//! A misspelt one would be left out without a word. `more`: what stands beside the parameters.
+void requireParameters(const JsonField& json, std::initializer_list<const char*> more) {
+  std::vector<std::string> known{"object",      "range",      "candidate", "smoothing",      "edge_length",
+                                 "direction",   "balloon",    "curvature", "max_iterations", "threads",
+                                 "broad_phase", "resolution", "seeds",     "constraints"};
+  known.insert(known.end(), more.begin(), more.end());
+  json.requireKeys(known);
+}
+
 Parameters parametersFromJson(const JsonField& json) {
   Parameters p;
   p.resolution = Resolution::uniform;
@@ -359,6 +368,7 @@ Parameters parametersFromJson(const JsonField& json) {
 std::vector<ParameterChange> changesFromJson(const JsonField& json) {
   std::vector<ParameterChange> changes;
   for (const JsonField& entry : json.list()) {
+    requireParameters(entry, {"iteration"});
     const JsonField field = entry.at("iteration");
     const int iteration = field.wholeAtLeast(0);
     if (!changes.empty() && iteration <= changes.back().iteration) field.refuse(K::fieldNotAscending);
@@ -393,6 +403,7 @@ ObjectLabel labelFromJson(const JsonField& json) {
 }  // namespace
 
 void readRequest(const JsonField& json, Session& session) {
+  requireParameters(json, {"space", "changes", "stop_at", "label", "polish", "frame"});
   session.requested = parametersFromJson(json);
   if (json.has("space")) session.space = json.at("space").word(spaceFromName);
   if (json.has("constraints")) session.constraints = constraintsFromJson(json.at("constraints"));
