@@ -9,6 +9,8 @@ install(TARGETS handlebody_core handlebody_options EXPORT HandlebodyTargets
 # As they are included: "core/mesh/mesh.h".
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/core DESTINATION ${HANDLEBODY_INCLUDE_FOLDER} COMPONENT Development
   FILES_MATCHING PATTERN "*.h" PATTERN "io" EXCLUDE PATTERN "precompiled.h" EXCLUDE)
+install(FILES ${CMAKE_BINARY_DIR}/generated/core/version.h DESTINATION ${HANDLEBODY_INCLUDE_FOLDER}/core
+  COMPONENT Development)
 install(EXPORT HandlebodyTargets NAMESPACE Handlebody:: DESTINATION ${package_folder} COMPONENT Development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/HandlebodyConfig.cmake.in HandlebodyConfig.cmake
   INSTALL_DESTINATION ${package_folder})

@@ -8,6 +8,7 @@
 #include "core/io/report/polished_export.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/wall_map.h"
+#include "core/version.h"
 
 namespace handlebody::python {
 

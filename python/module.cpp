@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "core/io/report/option_error.h"
 #include "core/told_error.h"
+#include "core/version.h"
 #include "python/bind.h"
 #include "python/convert.h"
 

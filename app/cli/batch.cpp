@@ -21,6 +21,7 @@
 #include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 #include "core/threads.h"
+#include "core/version.h"
 
 namespace handlebody::cli {
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <utility>
 
 #include "app/cli/csv.h"
 #include "core/io/report/json.h"
@@ -17,19 +18,16 @@ namespace {
 //! batch, which reads at the end.
 constexpr std::size_t kLongestTold = 3000;
 
-bool isCase = false;
-
 }  // namespace
 
-std::vector<std::string> asCase(std::vector<std::string> arguments) {
-  if (arguments.empty() || arguments[0] != kAsCase) return arguments;
+Started startedWith(std::vector<std::string> arguments) {
+  if (arguments.empty() || arguments[0] != kAsCase) return {std::move(arguments), false};
   arguments.erase(arguments.begin());
-  isCase = ::fcntl(kFailurePipe, F_SETFD, FD_CLOEXEC) == 0;  // the children of a case tell nothing
-  return arguments;
+  // The children of a case tell nothing.
+  return {std::move(arguments), ::fcntl(kFailurePipe, F_SETFD, FD_CLOEXEC) == 0};
 }
 
 void tellFailure(const CaseFailure& failure) noexcept try {
-  if (!isCase) return;
   // CBOR: the message may name files, which are any bytes.
   const Json told{{"message", shortened(failure.message, kLongestTold)},
                   {"out_of_memory", failure.isOutOfMemory}};

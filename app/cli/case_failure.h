@@ -16,10 +16,14 @@ struct CaseFailure {
 inline constexpr const char* kAsCase = "as-case";
 inline constexpr int kFailurePipe = 3;
 
-//! Without that word; if it is there tellFailure() writes from now on. Called once, before anything is
-//! opened.
-std::vector<std::string> asCase(std::vector<std::string> arguments);
-//! Does nothing in a process that is no case, nor where it cannot be written.
+//! How a program was started.
+struct Started {
+  std::vector<std::string> arguments;  //!< without that word
+  bool isCase = false;
+};
+//! Called once, before anything is opened.
+Started startedWith(std::vector<std::string> arguments);
+//! Does nothing where it cannot be written. Precondition: this process is a case.
 void tellFailure(const CaseFailure& failure) noexcept;
 
 //! What was written into a pipe by a process that has ended.

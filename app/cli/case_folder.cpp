@@ -22,6 +22,7 @@
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/frame_files.h"
 #include "core/io/report/json.h"
+#include "core/version.h"
 
 namespace handlebody::cli {
 

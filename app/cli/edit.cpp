@@ -25,6 +25,7 @@
 #include "core/io/tetrahedra/tetrahedra.h"
 #include "core/polish/patch_search.h"
 #include "core/told_error.h"
+#include "core/version.h"
 
 namespace handlebody::cli {
 

@@ -11,6 +11,7 @@
 #include "core/io/report/label_file.h"
 #include "core/io/report/parse.h"
 #include "core/io/report/terminology_json.h"
+#include "core/version.h"
 #include "core/volume/intensity_statistics.h"
 
 namespace handlebody::cli {

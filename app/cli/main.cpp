@@ -13,19 +13,32 @@
 #include "core/cancellation.h"
 #include "core/io/report/json.h"
 #include "core/told_error.h"
+#include "core/version.h"
 
 namespace handlebody::cli {
 
 namespace {
 
+//! What a command ends with: an exit code, and where it fails a line, for the batch as well if this is a
+//! case.
+class Run {
+ public:
+  explicit Run(bool isCase) : isCase_(isCase) {}
+  int perform(const Action& action) const;
+  int fail(const std::string& message, ExitCode code, bool isOutOfMemory = false) const;
+
+ private:
+  bool isCase_;
+};
+
 // One error, one line: messages of libraries may hold several.
-int fail(const std::string& message, ExitCode code, bool isOutOfMemory = false) {
+int Run::fail(const std::string& message, ExitCode code, bool isOutOfMemory) const {
   std::string line = message;
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
   if (line.empty() || line.back() != '.') line += '.';
   std::cerr << "handlebody-cli: " << line << std::endl;
-  tellFailure({line, isOutOfMemory});
+  if (isCase_) tellFailure({line, isOutOfMemory});
   return code;
 }
 
@@ -34,7 +47,7 @@ bool isOutOfMemory(const Finding& finding) {
          std::any_of(finding.causes.begin(), finding.causes.end(), isOutOfMemory);
 }
 
-int perform(const Action& action) try {
+int Run::perform(const Action& action) const try {
   const int code = action();
   if (!std::cout.flush()) return fail("standard output cannot be written.", kUsage);
   return code;
@@ -71,7 +84,9 @@ int parseAndPerform(int argc, char** argv) {
   for (auto add : {addSegment, addInfo, addCheck, addEdit, addHandles, addPhantom, addReplay, addCompare,
                    addMesh, addMeasure, addBatch, addDecode})
     add(app, action);
-  const std::vector<std::string> arguments = withSlurmOptions(asCase({argv + 1, argv + argc}));
+  const Started started = startedWith({argv + 1, argv + argc});
+  const Run run(started.isCase);
+  const std::vector<std::string> arguments = withSlurmOptions(started.arguments);
   try {
     if (!arguments.empty() && arguments[0] == "segment" && nameSeveralObjects(arguments))
       action = segmentSeveralObjects({arguments.begin() + 1, arguments.end()});
@@ -80,11 +95,11 @@ int parseAndPerform(int argc, char** argv) {
   } catch (const CLI::Success& help) {                                            // --help and --version
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return fail(error.what(), kUsage);
+    return run.fail(error.what(), kUsage);
   } catch (const UsageError& error) {  // thrown by the options that parse themselves
-    return fail(error.what(), kUsage);
+    return run.fail(error.what(), kUsage);
   }
-  return perform(action);
+  return run.perform(action);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/errors.h"
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/voxel_fingerprint.h"
+#include "core/version.h"
 
 namespace handlebody::cli {
 

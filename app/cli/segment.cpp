@@ -15,6 +15,7 @@
 #include "core/io/report/clicks.h"
 #include "core/io/report/growth_options.h"
 #include "core/io/report/start_surface.h"
+#include "core/version.h"
 
 namespace handlebody::cli {
 

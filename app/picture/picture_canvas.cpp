@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/indices.h"
 #include "core/volume/anatomy.h"
 
 namespace handlebody {
@@ -54,8 +55,7 @@ void LineDrawing::add(const Vec2& from, const Vec2& to) {
       const Vec2 p = Vec2(x + 0.5, y + 0.5) - from;
       const double t = length2 > 0 ? std::clamp(p.dot(along) / length2, 0.0, 1.0) : 0.0;
       const double covered = std::clamp(reach_ + 0.5 - (p - t * along).norm(), 0.0, 1.0);
-      float& most = coverage_[static_cast<std::size_t>(y - area_.y) * static_cast<std::size_t>(area_.width) +
-                              static_cast<std::size_t>(x - area_.x)];
+      float& most = coverage_[idx(y - area_.y) * idx(area_.width) + idx(x - area_.x)];
       most = std::max(most, static_cast<float>(covered));
     }
 }

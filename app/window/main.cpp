@@ -9,6 +9,7 @@
 
 #include "app/window/options.h"
 #include "app/window/screenshot.h"
+#include "core/version.h"
 #include "ui/window/main_window.h"
 #include "ui/window/open/file_work.h"
 #include "ui/window/widgets/language.h"

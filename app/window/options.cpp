@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "core/version.h"
+
 namespace handlebody::app {
 
 namespace {

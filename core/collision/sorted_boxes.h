@@ -110,10 +110,10 @@ void SortedBoxes::visitRest(std::uint32_t own, std::uint32_t first, std::uint32_
 //! the same row, is farther than the radius.
 template <typename F>
 void SortedBoxes::visit(std::uint32_t own, Windows& windows, F&& f) const {
-  const int behind = x_[own] - 1;
+  const int previous = x_[own] - 1;
   windows[0].next = own + 1;
   for (std::size_t k = 1; k < windows.size(); ++k)
-    while (windows[k].next < windows[k].end && x_[windows[k].next] < behind) ++windows[k].next;
+    while (windows[k].next < windows[k].end && x_[windows[k].next] < previous) ++windows[k].next;
   const std::array<float, 3> centre = placeOf(own);
   LaneBits all = near(centre, windows[0]) & LaneBits{1, 2, 4, 8};
   all |= near(centre, windows[1]) & (LaneBits{1, 2, 4, 8} << 4);

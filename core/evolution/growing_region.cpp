@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/evolution/region_growth.h"
+
 namespace handlebody::region {
 
 namespace {
@@ -12,9 +14,6 @@ constexpr double kReachesBorder = 3e-3;
 constexpr std::size_t kPartOfVolume = 5;
 // And so is one of which one level lets in more than this, and a fifth of the volume.
 constexpr std::size_t kMaxVoxels = 2'000'000;
-// If it has let in more than this part of the volume's border with it, it is the background: no level after
-// it is that of an object.
-constexpr double kBackground = 0.5;
 
 double voxelsOnFaces(const Grid& grid) {
   const auto& n = grid.size;
@@ -32,7 +31,7 @@ LeakLimits::LeakLimits(const SmoothedVolume& volume)
       mostBorder_(kReachesBorder * borderVoxels_) {}
 
 bool LeakLimits::isBackground(std::size_t taken) const {
-  return taken >= mostVoxels_ && borderShare() > kBackground;
+  return taken >= mostVoxels_ && borderShare() > kBackgroundBorder;
 }
 
 }  // namespace handlebody::region

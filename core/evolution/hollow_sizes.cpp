@@ -11,19 +11,19 @@ namespace {
 
 // Voxels of mean size that faces before a hollow object may lie below their corners: what they leave to half
 // a voxel is for the corners' own distance, and for the faces of the object, which do the same.
-constexpr double kMostSagitta = 0.15;
-constexpr double kLeastPart = 0.5;  // of the target; nor less than
-constexpr double kLeastVoxels = 1;  // of mean size: shorter edges go into crevices where they meet themselves
-constexpr double kNear = 0.5;       // edge lengths from such a place up to which edges are as short
-constexpr double kFar = 1e9;        // cells: more than any volume has, and no overflow
+constexpr double kMaxSagitta = 0.15;
+constexpr double kMinPart = 0.5;  // of the target; nor less than
+constexpr double kMinVoxels = 1;  // of mean size: shorter edges go into crevices where they meet themselves
+constexpr double kNear = 0.5;     // edge lengths from such a place up to which edges are as short
+constexpr double kFar = 1e9;      // cells: more than any volume has, and no overflow
 
 }  // namespace
 
 HollowSizes::HollowSizes(const WallSurface& objects, double edgeLength, double voxel)
     : edgeLength_(edgeLength) {
-  const double least = std::min(1.0, std::max(kLeastPart, kLeastVoxels * voxel / edgeLength));
+  const double least = std::min(1.0, std::max(kMinPart, kMinVoxels * voxel / edgeLength));
   reach_ = (kNear + (1 - least) / SizeField::kGrade) * edgeLength;
-  const double across = kCircumradius * edgeLength, most = kMostSagitta * voxel;
+  const double across = kCircumradius * edgeLength, most = kMaxSagitta * voxel;
   for (std::size_t v = 0; v < objects.points().size(); ++v) {
     const double sagitta = objects.hollows()[v] * across * across;
     if (sagitta <= most) continue;

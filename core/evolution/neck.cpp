@@ -36,6 +36,11 @@ constexpr double kHoleWidens = 3;
 // What is cut off at a hole is this part of what is kept, at least: less may be a pocket in the object.
 constexpr double kBehindHole = 0.2;
 
+// Necks of one width may lead to several parts. Those of which a ball has more than this part of the radius
+// of the widest are cut off, thinner ones hang on the structure as crumbs. Less than 1: of parts that are
+// equally wide the grid makes one a fraction of a voxel wider.
+constexpr float kAsWide = 0.9f;
+
 constexpr int kBinsPerVoxel = 4;
 
 //! The thickest place within the largest ball around the seed.
@@ -143,7 +148,7 @@ Sides splitAt(const ThicknessMap& map, const WidestPathFlood& flood, const Stage
   for (std::size_t i : flood.order) side[i] = fromCore[i] <= stage.neck ? Side::kept : Side::open;
   for (std::size_t k = stage.first; k < stage.last; ++k) {
     const std::size_t i = flood.order[k];
-    if (side[i] == Side::open && map.distance(i) > 0.9f * stage.widest) {
+    if (side[i] == Side::open && map.distance(i) > kAsWide * stage.widest) {
       side[i] = Side::cutOff;
       front.push_back(i);
     }

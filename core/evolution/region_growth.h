@@ -9,6 +9,9 @@
 
 namespace handlebody {
 
+//! A region that holds more than this part of the volume's border is the background.
+inline constexpr double kBackgroundBorder = 0.5;
+
 //! Region growth over equally spaced levels. All intensities are multiplied by `sign` first: +1 for a dark
 //! object, -1 for a bright one, so that the region always grows upwards.
 struct RegionGrowth {

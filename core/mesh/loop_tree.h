@@ -40,7 +40,7 @@ class LoopGraph {
   //! The mesh must outlive it.
   LoopGraph(const Mesh& mesh, const LoopClasses& classes);
   std::span<const Arc> arcs(int v) const {
-    return std::span(arcs_).subspan(first_[v], first_[static_cast<std::size_t>(v) + 1] - first_[v]);
+    return std::span(arcs_).subspan(first_[v], first_[v + 1] - first_[v]);
   }
   const Mesh& mesh() const { return mesh_; }
   //! mm, of a closed loop along edges.

@@ -36,7 +36,7 @@ std::vector<Edge> sortedEdges(const TriangleSoup& soup) {
       }
   };
   std::vector<std::size_t> start(soup.points.size() + 1, 0);
-  forEachEdge([&](const Edge& e) { ++start[static_cast<std::size_t>(e.low) + 1]; });
+  forEachEdge([&](const Edge& e) { ++start[e.low + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<Edge> edges(3 * soup.triangles.size());
   std::vector<std::size_t> fill(start.begin(), start.end() - 1);
@@ -69,7 +69,7 @@ bool linksAreSingle(const TriangleSoup& soup) {
   const std::size_t n = soup.points.size();
   std::vector<int> start(n + 1, 0);
   for (const Triangle& t : soup.triangles)
-    for (int v : t) ++start[static_cast<std::size_t>(v) + 1];
+    for (int v : t) ++start[v + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<std::array<int, 2>> spokes(start[n]);
   std::vector<int> fill(start.begin(), start.end() - 1);

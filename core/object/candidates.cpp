@@ -129,12 +129,12 @@ class Gathering {
       giveUpIfCancelled();
       for (int y = 0; y < n_[1]; ++y) {
         const std::size_t row = idx(z) * idx(n_[1]) + idx(y);
-        const RowSpan none{n_[0], -1}, own = spans[row], above = y + 1 < n_[1] ? spans[row + 1] : none,
-                                       behind = z + 1 < n_[2] ? spans[row + idx(n_[1])] : none;
+        const RowSpan none{n_[0], -1}, own = spans[row], nextRow = y + 1 < n_[1] ? spans[row + 1] : none,
+                                       nextPlane = z + 1 < n_[2] ? spans[row + idx(n_[1])] : none;
         addCells(own, y, z);
         // With the cell before them, which has a face to the first.
-        addFaces({std::max(0, std::min({own.first, above.first, behind.first}) - 1),
-                  std::max({own.last, above.last, behind.last})},
+        addFaces({std::max(0, std::min({own.first, nextRow.first, nextPlane.first}) - 1),
+                  std::max({own.last, nextRow.last, nextPlane.last})},
                  y, z);
       }
     }

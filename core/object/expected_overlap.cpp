@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 #include "core/object/centrality.h"
 
 namespace handlebody {
@@ -82,8 +83,7 @@ class MaskOn {
  private:
   bool hasCells(std::size_t y, std::size_t z) const {
     if (first_ == end_ || cell_[1][y] == kNone || cell_[2][z] == kNone) return false;
-    return rows_[static_cast<std::size_t>(cell_[2][z]) * static_cast<std::size_t>(own_.grid.size[1]) +
-                 static_cast<std::size_t>(cell_[1][y])] != 0;
+    return rows_[idx(cell_[2][z]) * idx(own_.grid.size[1]) + idx(cell_[1][y])] != 0;
   }
   void takeRow(const std::uint8_t* level, std::uint8_t* to) const {
     if (isInStep_) return markRow(level + cell_[0][first_], rung_, end_ - first_, to + first_);

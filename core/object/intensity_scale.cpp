@@ -48,7 +48,7 @@ IntensityScale IntensityScale::of(const CellImage& image, const ObjectPolicy& po
   std::array<std::vector<double>, kOctaves> octaves;
   for (std::size_t i = 0; i < cells.mean.size(); ++i) {
     const double below = std::floor(std::log2(top / std::max(cells.mean[i] - low, top * 1e-6)));
-    if (below >= 0 && below < kOctaves) octaves[static_cast<std::size_t>(below)].push_back(cells.distance[i]);
+    if (below >= 0 && below < kOctaves) octaves[static_cast<int>(below)].push_back(cells.distance[i]);
   }
   const double highest = static_cast<double>(octaves[0].size()) / static_cast<double>(cells.mean.size());
   if (highest > policy.logPlateau) return {};

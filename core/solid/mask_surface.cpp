@@ -4,6 +4,7 @@
 
 #include "core/cancellation.h"
 #include "core/errors.h"
+#include "core/indices.h"
 #include "core/phase.h"
 #include "core/solid/cell_cases.h"
 #include "core/told_error.h"
@@ -81,7 +82,7 @@ class Marching {
     const int x = cell[0] + (start & 1), y = cell[1] + (start >> 1 & 1), z = cell[2] + (start >> 2);
     const bool isUpper = z > cell[2];
     auto& plane = isUpper ? upper_[axis] : vertices_[axis];
-    int& v = plane[static_cast<std::size_t>(y + 1) * row_ + static_cast<std::size_t>(x + 1)];
+    int& v = plane[idx(y + 1) * row_ + idx(x + 1)];
     if (v == kNone) {
       v = static_cast<int>(mesh_.points.size());
       Vec3 index(x, y, z);

@@ -37,7 +37,7 @@ class Cells {
     static constexpr auto kSpread = spreadBits();
     const Vec3 a = (p - low_) * scale_;
     const auto along = [&](int axis) {
-      return static_cast<std::size_t>(kSpread[static_cast<std::size_t>(std::clamp(a[axis], 0.0, 31.0))]);
+      return static_cast<std::size_t>(kSpread[static_cast<int>(std::clamp(a[axis], 0.0, 31.0))]);
     };
     return along(0) | along(1) << 1 | along(2) << 2;
   }

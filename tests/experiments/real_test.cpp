@@ -24,7 +24,7 @@ namespace {
 struct RealOutcome {
   double millilitres = 0;
   double dice = 0;  // 0 without a label
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;
 };
 
 ActiveContour begun(const RealCase& c, const Constraints& constraints = {}) {
@@ -47,24 +47,20 @@ RealOutcome expectCertified(const std::string& name) {
 #ifdef HANDLEBODY_WITH_ORACLE
   CHECK(oracle::selfIntersections(mesh).empty());
 #endif
-  RealOutcome out{certificate.volume / 1000, 0, sentences(contour.warnings(contour.support()))};
+  RealOutcome out{certificate.volume / 1000, 0, contour.warnings(contour.support())};
   if (c.label) out.dice = dice(mesh, readVolume(folder() + "/" + c.label));
   std::cout << c.name << ": iterations " << contour.iteration() << ", vertices " << certificate.vertices
             << ", components " << certificate.components << ", volume " << out.millilitres << " ml";
   if (c.label) std::cout << ", Dice " << out.dice;
   std::cout << '\n';
-  for (const std::string& warning : out.warnings) std::cout << "  " << warning << '\n';
+  for (const Finding& warning : out.warnings) std::cout << "  " << sentence(warning) << '\n';
   return out;
 }
 
-bool warnsOf(const RealOutcome& o, const char* what) {
+bool warnsOf(const RealOutcome& o, FindingKind kind) {
   return std::any_of(o.warnings.begin(), o.warnings.end(),
-                     [&](const std::string& warning) { return warning.find(what) != std::string::npos; });
+                     [&](const Finding& warning) { return warning.kind == kind; });
 }
-
-const char* const kNeck = "held at a neck";
-const char* const kWidens = "grows wider than";
-const char* const kNoEdge = "shows no edge";
 
 }  // namespace
 
@@ -80,7 +76,7 @@ TEST_CASE("the aorta in a CT angiography agrees with the label and is held at a 
   if (volumesMissing()) return;
   const RealOutcome o = expectCertified("aorta");
   CHECK(o.dice >= 0.87);
-  CHECK(warnsOf(o, kNeck));
+  CHECK(warnsOf(o, FindingKind::heldAtNeck));
 }
 
 TEST_CASE("the aorta with walls all over its surface and no tunnel allowed keeps both",
@@ -135,6 +131,6 @@ TEST_CASE("the vessel in an ultrasound volume is held between its walls, with a 
   const RealOutcome o = expectCertified("us_vessel");
   CHECK(o.millilitres > 2.5);
   CHECK(o.millilitres < 3.5);
-  CHECK(warnsOf(o, kWidens));
-  CHECK(warnsOf(o, kNoEdge));
+  CHECK(warnsOf(o, FindingKind::heldWhereItWidens));
+  CHECK(warnsOf(o, FindingKind::noEdge));
 }

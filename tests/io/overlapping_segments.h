@@ -57,7 +57,7 @@ inline void writeLayers(std::vector<Segment> segments, const Grid& grid, const s
   forEachVoxel(grid, [&](const Vec3& index) {
     std::string values(static_cast<std::size_t>(layers), '\0');
     for (const Segment& s : segments)
-      if (s.holds(index)) values[static_cast<std::size_t>(*s.layer)] = static_cast<char>(s.value);
+      if (s.holds(index)) values[*s.layer] = static_cast<char>(s.value);
     file << values;
   });
 }

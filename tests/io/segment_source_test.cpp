@@ -220,7 +220,7 @@ TEST_CASE("a code that could not be written again is none: too long, empty, or w
   }
   Terminology many = leftKidney();
   many.type.modifiers.resize(1000, {"G-A101", "SRT", "Left"});
-  CHECK(readOf(many).source.terminology->type.modifiers.size() == kMostModifiers);
+  CHECK(readOf(many).source.terminology->type.modifiers.size() == kMaxModifiers);
 }
 
 TEST_CASE("the name of an algorithm is followed by ours, once, and fits", "[labels]") {

@@ -18,6 +18,7 @@
 #include "core/io/report/start_surface.h"
 #include "core/io/report/voxel_fingerprint.h"
 #include "core/told_error.h"
+#include "core/version.h"
 #include "ui/model/document_private.h"
 #include "ui/model/error_sentence.h"
 

@@ -72,8 +72,10 @@ IntensityRange displayRange(const Volume& volume) {
   visitVoxels(volume, [&](const auto* voxels) {
     // An irrational share of the voxels between two samples: no row or slice is met again and again.
     const double stride = count <= kSamples ? 1 : M_SQRT2 * static_cast<double>(count) / kSamples;
-    for (double at = 0; at < static_cast<double>(count); at += stride)
-      sample.push_back(static_cast<double>(voxels[static_cast<std::size_t>(at)]));
+    for (double at = 0; at < static_cast<double>(count); at += stride) {
+      const auto voxel = static_cast<std::size_t>(at);
+      sample.push_back(static_cast<double>(voxels[voxel]));
+    }
   });
   const auto rank = [&](double share) {
     const auto nth =

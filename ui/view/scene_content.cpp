@@ -95,7 +95,7 @@ void SceneContent::updateSlices(SurfaceScene& scene) {
     SliceGeometry geometry = wholeSlice(volume.grid, plane, kLargest);
     const QSizeF& size = geometry.size();
     geometry.setSlice(geometry.nearestSlice(state_.crosshair()));
-    const auto i = static_cast<std::size_t>(plane);
+    const std::size_t i = indexOf(plane);
     if (shownSlices_[i] == geometry.slice() && !isOutdated(ScenePart::colours)) continue;
     shownSlices_[i] = geometry.slice();
     const SliceColours colours{{state_.window(), state_.level()}, state_.colourMap(), {}};

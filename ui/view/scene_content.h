@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/enum_index.h"
 #include "core/evolution/constraints.h"
 #include "core/mesh/mesh.h"
 #include "ui/model/newest_result.h"
@@ -45,7 +46,6 @@ class SceneContent {
   const DistanceColours* distances() const;
 
  private:
-  static std::size_t indexOf(ScenePart part) { return static_cast<std::size_t>(part); }
   void updateMesh(SurfaceScene& scene);
   void updatePins(SurfaceScene& scene);
   void updateSeeds(SurfaceScene& scene) const;

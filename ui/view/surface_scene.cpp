@@ -14,6 +14,7 @@
 #include <cmath>
 #include <list>
 
+#include "core/enum_index.h"
 #include "core/mesh/shapes.h"
 #include "ui/model/document.h"
 #include "ui/view/overlay.h"
@@ -190,10 +191,10 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
   }
   for (const auto kind : {MarkedLoop::Kind::handle, MarkedLoop::Kind::tunnel}) {
     const QColor colour = loopColour(kind);
-    d_->marked[static_cast<std::size_t>(kind)].setColour(colour.redF(), colour.greenF(), colour.blueF());
+    d_->marked[indexOf(kind)].setColour(colour.redF(), colour.greenF(), colour.blueF());
   }
   for (const Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal})  // drawn in this order
-    renderer->AddActor(d_->slices[static_cast<std::size_t>(plane)].actor);
+    renderer->AddActor(d_->slices[indexOf(plane)].actor);
   renderer->AddActor(d_->walls.actor());  // after all that is seen through them
   d_->walls.setColour(wallColour());
   d_->walls.actor()->GetProperty()->SetOpacity(kWallOpacity);
@@ -333,7 +334,7 @@ void SurfaceScene::setLoops(const std::vector<MarkedLoop>& loops) {
     std::vector<std::vector<Vec3>> lines;
     for (const MarkedLoop& loop : loops)
       if (loop.kind == kind) lines.push_back(loop.points);
-    d_->marked[static_cast<std::size_t>(kind)].set(lines, true);
+    d_->marked[indexOf(kind)].set(lines, true);
   }
   d_->updateVisibility();
 }
@@ -356,7 +357,7 @@ void SurfaceScene::setVolume(const Grid* grid) {
 }
 
 void SurfaceScene::setSlice(Plane plane, const QImage& picture, const std::array<Vec3, 3>& corners) {
-  d_->slices[static_cast<std::size_t>(plane)].set(picture, corners);
+  d_->slices[indexOf(plane)].set(picture, corners);
   d_->updateVisibility();
 }
 

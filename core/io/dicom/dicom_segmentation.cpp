@@ -17,6 +17,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/dicom/cie_lab.h"
+#include "core/version.h"
 
 namespace handlebody {
 

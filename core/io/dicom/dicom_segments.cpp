@@ -82,7 +82,7 @@ std::vector<CodedTerm> Reader::codesIn(const DicomElement& sequence, bool isExpl
   std::vector<CodedTerm> codes;
   CodedTerm code;
   const auto end = [&] {
-    if (codes.size() < kMostModifiers) codes.push_back(std::exchange(code, {}));
+    if (codes.size() < kMaxModifiers) codes.push_back(std::exchange(code, {}));
   };
   file_.forEachItem(
       sequence, isExplicit, [&](const DicomElement& e, bool) { take(e, code); }, end);

@@ -7,6 +7,7 @@
 #include "core/io/dicom/dicom_class.h"
 #include "core/io/dicom/dicom_dataset.h"
 #include "core/io/meshes/mesh_files.h"
+#include "core/version.h"
 
 namespace handlebody {
 

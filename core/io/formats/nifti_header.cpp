@@ -82,7 +82,7 @@ Eigen::Matrix3d rotationOf(const NiftiHeader& h) {
 Vec3 voxelSize(const NiftiHeader& h) {
   Vec3 size;
   for (int a = 0; a < 3; ++a) {
-    const double d = std::abs(h.pixdim[static_cast<std::size_t>(a) + 1]);
+    const double d = std::abs(h.pixdim[a + 1]);
     size[a] = d > 0 ? d : 1;
   }
   return size;

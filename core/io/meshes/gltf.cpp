@@ -14,6 +14,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
+#include "core/version.h"
 
 namespace handlebody {
 

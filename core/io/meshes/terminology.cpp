@@ -29,7 +29,7 @@ bool isUsable(const CodedTerm& term) {
 
 void keepUsable(std::vector<CodedTerm>& modifiers) {
   std::erase_if(modifiers, [](const CodedTerm& term) { return !isUsable(term); });
-  if (modifiers.size() > kMostModifiers) modifiers.resize(kMostModifiers);
+  if (modifiers.size() > kMaxModifiers) modifiers.resize(kMaxModifiers);
 }
 
 std::string meaningOf(const ModifiedTerm& term) {

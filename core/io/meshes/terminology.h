@@ -35,11 +35,11 @@ struct Terminology {
   friend bool operator==(const Terminology&, const Terminology&) = default;
 };
 
-inline constexpr std::size_t kMostModifiers = 16;  //!< a file may hold any number
+inline constexpr std::size_t kMaxModifiers = 16;  //!< a file may hold any number
 
 //! Without what DICOM or 3D Slicer's text could not hold: a code that is incomplete, too long, not UTF-8, or
 //! holds a control character, backslash, bar, tilde or caret. Such modifiers, those beyond
-//! kMostModifiers and such a region are left out; nothing if it is the category or the type.
+//! kMaxModifiers and such a region are left out; nothing if it is the category or the type.
 std::optional<Terminology> usable(Terminology terminology);
 
 //! What it means, for lists: "Kidney, Left; Abdomen".

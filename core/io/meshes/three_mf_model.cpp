@@ -220,14 +220,14 @@ void refuseThreeMf(const std::string& path, const Finding& cause) {
 }
 
 void ThreeMfCount::add(std::size_t points, std::size_t triangles, std::size_t entries) {
-  constexpr std::size_t kMost = 100'000'000;  // 4 GB of them; a body of so many has as many points by half
-  constexpr std::size_t kMostEntries = 1'000'000;
+  constexpr std::size_t kMax = 100'000'000;  // 4 GB of them; a body of so many has as many points by half
+  constexpr std::size_t kMaxEntries = 1'000'000;
   points_ += points;
   triangles_ += triangles;
   entries_ += entries;
-  if (points_ > kMost || triangles_ > kMost)
-    refuseInput(path_, {FindingKind::surfaceTooLarge, {{"most", kMost}}});
-  if (entries_ > kMostEntries) refuseThreeMf(path_, {FindingKind::objectsTooMany, {{"most", kMostEntries}}});
+  if (points_ > kMax || triangles_ > kMax)
+    refuseInput(path_, {FindingKind::surfaceTooLarge, {{"most", kMax}}});
+  if (entries_ > kMaxEntries) refuseThreeMf(path_, {FindingKind::objectsTooMany, {{"most", kMaxEntries}}});
 }
 
 ThreeMfModel readThreeMfModel(ZipReader& archive, std::uint64_t entry, const std::string& name,

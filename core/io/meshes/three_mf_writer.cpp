@@ -10,6 +10,7 @@
 #include "core/io/meshes/three_mf.h"
 #include "core/io/meshes/three_mf_model.h"
 #include "core/io/meshes/zip_archive.h"
+#include "core/version.h"
 
 namespace handlebody {
 

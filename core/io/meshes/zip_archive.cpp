@@ -17,8 +17,8 @@ namespace {
 //! Bytes that so many packed ones may stand for. Deflate makes 258 by two bits; a model's numbers are packed
 //! by ten or so, and what is said to be far above that only costs time (a bomb of 8 MB two minutes).
 constexpr std::uint64_t mostUnpacked(std::uint64_t packed) {
-  constexpr std::uint64_t kMostPacked = 1032, kMostOfLarge = 100, kLarge = 1 << 26;
-  return std::min(kMostPacked * packed, std::max(kLarge, kMostOfLarge * packed));
+  constexpr std::uint64_t kMaxPacked = 1032, kMaxOfLarge = 100, kLarge = 1 << 26;
+  return std::min(kMaxPacked * packed, std::max(kLarge, kMaxOfLarge * packed));
 }
 
 std::string wordsOf(int error) {

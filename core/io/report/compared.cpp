@@ -8,6 +8,7 @@
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/comparison_json.h"
 #include "core/io/report/label_file.h"
+#include "core/version.h"
 
 namespace handlebody {
 

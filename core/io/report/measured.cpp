@@ -7,6 +7,7 @@
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/csv_line.h"
 #include "core/io/report/measures_json.h"
+#include "core/version.h"
 
 namespace handlebody {
 

@@ -10,6 +10,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/lowered.h"
 #include "core/io/tetrahedra/tetrahedra.h"
+#include "core/version.h"
 
 namespace handlebody {
 

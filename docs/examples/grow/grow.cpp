@@ -4,6 +4,7 @@
 
 #include "core/evolution/active_contour.h"
 #include "core/mesh/topology.h"
+#include "core/version.h"
 
 using namespace handlebody;
 
@@ -21,7 +22,7 @@ int main() {
       }
   ActiveContour contour(volume, {Seed{Vec3(20, 20, 20), 3.0}}, {});
   while (contour.stopReason() == StopReason::running) contour.step();
-  std::cout << stopReasonName(contour.stopReason()) << " after " << contour.iteration()
-            << " iterations: " << contour.mesh().vertexCount() << " vertices, genus "
+  std::cout << "Handlebody " HANDLEBODY_VERSION ": " << stopReasonName(contour.stopReason()) << " after "
+            << contour.iteration() << " iterations: " << contour.mesh().vertexCount() << " vertices, genus "
             << topologyNumbers(contour.mesh()).genus << ", " << signedVolume(contour.mesh()) << " mm3\n";
 }

@@ -72,12 +72,13 @@ Outcome step(const Scene& scene, const Tamper& tamper, int times) {
 }
 
 //! Never kept, whatever the mesh; and kept as soon as the surgery is whole again.
-void expectCaught(const Scene& scene, const char* reason, const Tamper& tamper) {
+void expectCaught(const Scene& scene, FindingKind reason, const Tamper& tamper) {
   const Outcome never = step(scene, tamper, Transaction::kAttempts);
   CHECK_FALSE(never.isKept);
   REQUIRE(never.taken.size() >= static_cast<std::size_t>(Transaction::kAttempts));
   for (const Conflict& t : never.taken) {
-    CHECK_THAT(sentence(t.reason), Catch::Matchers::Contains(reason));
+    INFO(sentence(t.reason));
+    CHECK(t.reason.kind == reason);
     CHECK(t.centre.allFinite());
     CHECK(t.radius > 0);
   }
@@ -142,34 +143,34 @@ TEST_CASE("a step whose surgery is whole is kept at the first attempt") {
 }
 
 TEST_CASE("surgery that breaks the structure is caught: faces") {
-  expectCaught(joining(), "an edge has only one face", [](Mesh& mesh, Attempt&) {  // a flipped face
+  expectCaught(joining(), FindingKind::edgeWithOneFace, [](Mesh& mesh, Attempt&) {  // a flipped face
     const Triangle t = mesh.face(anyFace(mesh));
     mesh.removeFaces(std::vector{anyFace(mesh)});
     mesh.addFaces(std::vector<Triangle>{{t[0], t[2], t[1]}});
   });
-  expectCaught(joining(), "an edge has only one face", [](Mesh& mesh, Attempt&) {  // a doubled face
+  expectCaught(joining(), FindingKind::edgeWithOneFace, [](Mesh& mesh, Attempt&) {  // a doubled face
     mesh.addFaces(std::vector<Triangle>{mesh.face(anyFace(mesh))});
   });
-  expectCaught(splitting(), "an edge has only one face", [](Mesh& mesh, Attempt&) {  // a dropped cap
+  expectCaught(splitting(), FindingKind::edgeWithOneFace, [](Mesh& mesh, Attempt&) {  // a dropped cap
     const int v = capMiddle(mesh);
     mesh.removeFaces(star(mesh, v));
     mesh.removeVertex(v);
   });
-  expectCaught(splitting(), "an edge has only one face", [](Mesh& mesh, Attempt&) {  // a cap inside out
+  expectCaught(splitting(), FindingKind::edgeWithOneFace, [](Mesh& mesh, Attempt&) {  // a cap inside out
     const std::vector<int> faces = star(mesh, capMiddle(mesh));
     std::vector<Triangle> cap;
     for (const int f : faces) cap.push_back({mesh.face(f)[0], mesh.face(f)[2], mesh.face(f)[1]});
     mesh.removeFaces(faces);
     mesh.addFaces(cap);
   });
-  expectCaught(joining(), "two faces have the same three vertices", [](Mesh& mesh, Attempt& a) {
+  expectCaught(joining(), FindingKind::facesTwice, [](Mesh& mesh, Attempt& a) {
     add(mesh, {{{9, 0, 0}, {10, 0, 0}, {9, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, a);  // a flat pillow
     claim(a, 1, 2);
   });
 }
 
 TEST_CASE("surgery that breaks the structure is caught: vertices and edges") {
-  expectCaught(joining(), "more than one fan", [](Mesh& mesh, Attempt&) {  // two vertices welded
+  expectCaught(joining(), FindingKind::severalFans, [](Mesh& mesh, Attempt&) {  // two vertices welded
     TriangleSoup s = mesh.compact();
     const int last = static_cast<int>(s.points.size()) - 1;
     for (Triangle& t : s.triangles)
@@ -178,20 +179,22 @@ TEST_CASE("surgery that breaks the structure is caught: vertices and edges") {
     mesh = Mesh(s);
     mesh.removeVertex(last);
   });
-  expectCaught(joining(), "a vertex has no face", [](Mesh& mesh, Attempt&) { mesh.addVertex({9, 0, 0}); });
+  expectCaught(joining(), FindingKind::vertexWithoutFace, [](Mesh& mesh, Attempt&) {
+    mesh.addVertex({9, 0, 0});
+  });
 }
 
 TEST_CASE("surgery that does something else than its events say is caught") {
-  expectCaught(joining(), "Euler number is not the one",  // a handle more than it says
+  expectCaught(joining(), FindingKind::otherEuler,  // a handle more than it says
                [](Mesh&, Attempt& a) { a.events.back().after.euler += 2; });
-  expectCaught(joining(), "Euler number is not the one", [](Mesh&, Attempt& a) { a.events.clear(); });
-  expectCaught(joining(), "do not follow from each other",
+  expectCaught(joining(), FindingKind::otherEuler, [](Mesh&, Attempt& a) { a.events.clear(); });
+  expectCaught(joining(), FindingKind::eventsDisagree,
                [](Mesh&, Attempt& a) { a.events.push_back(a.events.back()); });
-  expectCaught(joining(), "components are not those", [](Mesh&, Attempt& a) {
+  expectCaught(joining(), FindingKind::otherComponents, [](Mesh&, Attempt& a) {
     a.events.back().after.components += 1;  // two fronts of one component, it says: the same Euler number
     a.events.back().after.genus += 1;
   });
-  expectCaught(joining(), "components are not those", [](Mesh& mesh, Attempt& a) {  // a torus from nowhere
+  expectCaught(joining(), FindingKind::otherComponents, [](Mesh& mesh, Attempt& a) {  // a torus from nowhere
     add(mesh, zoo::moved(zoo::torus(9, 7, 2, 1), Vec3(0, 0, 9)), a);
   });
 }
@@ -203,7 +206,7 @@ TEST_CASE("a handle that joins another polygon than its event says is caught") {
   };
   const TriangleSoup apart = tubeAndBall(-0.6, -2.5), tips = tubeAndBall(0.05, -2.5);
   const TriangleSoup wrong = tubeAndBall(-0.6, -1.62);
-  expectCaught(scene(apart, tips), "components are not those", [&](Mesh& mesh, Attempt& a) {
+  expectCaught(scene(apart, tips), FindingKind::otherComponents, [&](Mesh& mesh, Attempt& a) {
     Mesh other(apart);
     const Attempt joined = moveAndAdapt(other, wrong.points);
     REQUIRE(joined.events.back().after.euler == a.events.back().after.euler);
@@ -214,11 +217,11 @@ TEST_CASE("a handle that joins another polygon than its event says is caught") {
 }
 
 TEST_CASE("components that lie in each other as no body's do are caught") {
-  expectCaught(joining(), "a body lies directly in another", [](Mesh& mesh, Attempt& a) {
+  expectCaught(joining(), FindingKind::bodyInBody, [](Mesh& mesh, Attempt& a) {
     add(mesh, zoo::scaled(zoo::sphere(2), 0.3), a);  // floats in the first ball
     claim(a, 1, 2);
   });
-  expectCaught(joining(), "a cavity lies outside of any body", [](Mesh& mesh, Attempt& a) {
+  expectCaught(joining(), FindingKind::cavityOutside, [](Mesh& mesh, Attempt& a) {
     add(mesh, turned(zoo::moved(zoo::scaled(zoo::sphere(2), 0.3), Vec3(0, 0, 5))), a);
     claim(a, 1, 2);
   });
@@ -226,15 +229,14 @@ TEST_CASE("components that lie in each other as no body's do are caught") {
   const auto hollow = [](double neck) {
     return zoo::both(cavityWithNeck(neck), zoo::moved(zoo::scaled(zoo::sphere(8), 3), Vec3(9, 0, 0)));
   };
-  expectCaught(scene(hollow(0.06), hollow(-0.02)), "a cavity lies outside of any body",
-               [](Mesh& mesh, Attempt& a) {
-                 deleteComponent(mesh, 0);
-                 claim(a, -1, -2);
-               });
+  expectCaught(scene(hollow(0.06), hollow(-0.02)), FindingKind::cavityOutside, [](Mesh& mesh, Attempt& a) {
+    deleteComponent(mesh, 0);
+    claim(a, -1, -2);
+  });
 }
 
 TEST_CASE("what changes behind the back of the detection, and what is no surface, is caught") {
-  constexpr const char* kUnseen = "that detection had not looked at";
+  constexpr FindingKind kUnseen = FindingKind::unseenChange;
   expectCaught(joining(), kUnseen, [](Mesh& mesh, Attempt& a) {
     mesh.setPosition(3, mesh.position(3) * 1.01);
     a.touched[3] = 0;
@@ -246,12 +248,12 @@ TEST_CASE("what changes behind the back of the detection, and what is no surface
     while (!mesh.isFace(Mesh::faceOf(h)) || !mesh.canFlip(h)) ++h;
     mesh.flipEdge(h);
   });
-  expectCaught(joining(), "does not enclose a volume", [](Mesh& mesh, Attempt&) {
+  expectCaught(joining(), FindingKind::enclosesNothing, [](Mesh& mesh, Attempt&) {
     const TriangleSoup s = mesh.compact();
     mesh = Mesh(turned(s));
     for (int v = mesh.vertexSlots() - 1; v >= 0; --v) mesh.setPosition(v, s.points[v]);
   });
-  expectCaught(joining(), "does not enclose a volume", [](Mesh& mesh, Attempt&) {
+  expectCaught(joining(), FindingKind::enclosesNothing, [](Mesh& mesh, Attempt&) {
     mesh.setPosition(mesh.face(anyFace(mesh))[0], Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
   });
 }
@@ -278,7 +280,7 @@ struct BodyAndPart {
       a.touched.assign(static_cast<std::size_t>(mesh.vertexSlots()), 0);
       for (int v = first; v < end; ++v) {
         mesh.setPosition(v, mesh.position(v) + by);
-        a.touched[static_cast<std::size_t>(v)] = 1;
+        a.touched[v] = 1;
       }
       a.events = {fold(loopSizes)};
       return a;

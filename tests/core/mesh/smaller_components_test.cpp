@@ -30,7 +30,7 @@ struct Scene {
   }
   void move(int v, const Vec3& by) {
     mesh.setPosition(v, mesh.position(v) + by);
-    touched[static_cast<std::size_t>(v)] = 1;
+    touched[v] = 1;
   }
   bool areKnownAfter() {
     smaller.follow({before, mesh, touched, kLongest});

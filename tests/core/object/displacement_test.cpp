@@ -115,9 +115,7 @@ TEST_CASE("a click outside in a slice on the volume's border means the slice, no
     const CellClick click{work.cells().grid.toWorld(Vec3(at[0], at[1], at[2])), work.cells().at(at), 0};
     const Region moved = displaced(work, region, region, {click, isInside, 9, 13, {}, 0, thick});
     std::vector<int> kept(static_cast<std::size_t>(slices), 0);  // cells per slice, of 697
-    forAll([&](const std::array<int, 3>& c) {
-      kept[static_cast<std::size_t>(c[2])] += moved.inside[work.cells().at(c)];
-    });
+    forAll([&](const std::array<int, 3>& c) { kept[c[2]] += moved.inside[work.cells().at(c)]; });
     return kept;
   };
   const std::vector<int> rim = keptOf(6, 0, 0), slice = keptOf(6, 0, 2.5);

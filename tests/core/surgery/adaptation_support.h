@@ -149,6 +149,16 @@ inline TriangleSoup meridians(int count, double gap, int finer = 1) {
   return all;
 }
 
+//! A ball of radius 1, whose top is dented within `rim` of the z axis: the rim stands out around the dent.
+inline TriangleSoup dentedBall(double rim, double depth) {
+  TriangleSoup s = zoo::sphere(24);
+  for (Vec3& p : s.points) {
+    const double t = std::hypot(p.x(), p.y()) / rim;
+    if (p.z() > 0 && t < 1) p.z() = std::sqrt(1 - rim * rim) - depth * (1 - t * t);
+  }
+  return s;
+}
+
 //! A plate of 1 × 1 × 0.2 mm whose upper side is dented in the middle and comes out of the lower one.
 inline TriangleSoup dentedPlate() {
   TriangleSoup s = zoo::cube(12);

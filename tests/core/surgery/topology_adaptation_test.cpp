@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "core/collision/certify.h"
 #include "core/mesh/topology.h"
 #include "tests/core/surgery/adaptation_support.h"
 
@@ -101,6 +102,36 @@ TEST_CASE("a part that is cut off where two bodies are joined is not left as a s
   REQUIRE(handle->loopSizes.size() == 3);
   CHECK(findEvent(result, EventKind::componentDeleted));
   expectAdapted(mesh, 1, 0);
+}
+
+TEST_CASE("of fronts all round a dent the outer polygons are joined, and the dents become cavities") {
+  constexpr double kRim = 0.35;
+  const double top = std::sqrt(1 - kRim * kRim);
+  for (const double depth : {0.03, 0.1, 0.3})
+    for (const bool bothDented : {false, true}) {
+      CAPTURE(depth, bothDented);
+      const TriangleSoup lower = dentedBall(kRim, depth);
+      TriangleSoup upper = bothDented ? lower : zoo::scaled(zoo::cube(6), 2);
+      if (bothDented) {
+        for (Vec3& p : upper.points) p = Vec3(p.x(), -p.y(), -p.z());
+        upper = zoo::moved(upper, Vec3(0.011, 0.007, 2 * top - 0.015));
+      } else {
+        upper = zoo::moved(upper, Vec3(-1.013, -0.987, top - 0.012));
+      }
+      Mesh mesh(zoo::both(lower, upper));
+      const AdaptationResult result = adaptFully(mesh);
+      const Event* handle = findEvent(result, EventKind::handleInserted);
+      REQUIRE(handle);
+      CHECK(handle->fronts == 2);
+      CHECK(handle->loopSizes.size() == (bothDented ? 4 : 3));
+      expectAdapted(mesh, bothDented ? 3 : 2, 0);
+      CHECK(certify(mesh.compact()).boundsBody());
+      const Components parts = findComponents(mesh);
+      const int body = parts.ofVertex[vertexNear(mesh, Vec3(0, 0, -1))];
+      CHECK(std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v > 0; }) == 1);
+      CHECK(parts.volume[body] > 0);
+      CHECK(parts.ofVertex[vertexNear(mesh, Vec3(0, 0, top - depth))] != body);
+    }
 }
 
 TEST_CASE(

@@ -204,6 +204,26 @@ TEST_CASE("a component that collides with itself everywhere and cannot be smooth
   CHECK(deleted->after.components == 1);
 }
 
+TEST_CASE("a small component that may be smoothed or deleted is smoothed, unless folds came back there") {
+  // An icosahedron whose tip has come out at the far side: all of it collides or is next to what does.
+  TriangleSoup small = zoo::scaled(zoo::sphere(1), 0.3);
+  const TriangleSoup whole = zoo::both(zoo::sphere(5), zoo::moved(small, Vec3(3, 0, 0)));
+  for (const bool cameBack : {false, true}) {
+    Mesh mesh(whole);
+    mesh.setPosition(vertexNear(mesh, Vec3(3, 0, 0.3)), Vec3(3, 0, -0.3));
+    const auto pairs = intersections(mesh);
+    REQUIRE_FALSE(pairs.empty());
+    AdaptationSettings settings;
+    if (cameBack) settings.cameBack = [](const Vec3&) { return true; };
+    std::vector<unsigned char> touched;
+    const AdaptationResult result = adaptOnce(mesh, pairs, settings, touched);
+    CAPTURE(cameBack);
+    REQUIRE(result.events.size() == 1);
+    CHECK(result.events[0].kind == (cameBack ? EventKind::componentDeleted : EventKind::smoothed));
+    expectAdapted(mesh, cameBack ? 1 : 2, 0);
+  }
+}
+
 TEST_CASE("a component with a handle that is deleted counts in the event") {
   const TriangleSoup torus = zoo::perturbed(zoo::torus(7, 5, 1, 0.5), 1.5, 8);
   Mesh mesh(zoo::both(zoo::sphere(5), zoo::moved(torus, Vec3(9, 0, 0))));

@@ -75,22 +75,22 @@ QString warningText(const Finding& warning) {
 
 //! Only what came to its end is judged: on the way much of a surface lies where there is no edge. What a
 //! surface that was opened lacks is known from the beginning.
-std::vector<Finding> doubtsAbout(const Document& document) {
+std::vector<Finding> warningsAbout(const Document& document) {
   const auto snapshot = document.snapshot();
   if (!snapshot) return {};
-  std::vector<Finding> doubts;
+  std::vector<Finding> warnings;
   if (Finding shared = sharedVoxels(document.constraints()); shared.any())
-    doubts.push_back(std::move(shared));
+    warnings.push_back(std::move(shared));
   if (document.state() == GrowthState::finished && document.iteration() == document.lastIteration())
-    doubts.insert(doubts.end(), snapshot->warnings.begin(), snapshot->warnings.end());
-  return doubts;
+    warnings.insert(warnings.end(), snapshot->warnings.begin(), snapshot->warnings.end());
+  return warnings;
 }
 
 QString warningsOf(const Document& document) {
-  const std::vector<Finding> doubts = doubtsAbout(document);
-  if (doubts.empty()) return {};
+  const std::vector<Finding> warnings = warningsAbout(document);
+  if (warnings.empty()) return {};
   QString text = QStringLiteral("<p style='margin: 0'><b>%1</b></p>").arg(GrowPanel::tr("⚠ Worth a look"));
-  for (const Finding& doubt : doubts) text += warningText(doubt);
+  for (const Finding& warning : warnings) text += warningText(warning);
   return text;
 }
 
@@ -181,7 +181,7 @@ QWidget* GrowPanel::buildButtons(const Commands& commands) {
     row->addWidget(button);
   }
   layout->addLayout(row);
-  auto* pace = new QHBoxLayout;
+  auto* stepsRow = new QHBoxLayout;
   auto* label = new QLabel(tr("Steps per frame"), part);
   auto* steps = new QSpinBox(part);
   steps->setRange(1, 50);
@@ -191,9 +191,9 @@ QWidget* GrowPanel::buildButtons(const Commands& commands) {
   ignoreWheelWithoutFocus(steps);
   label->setBuddy(steps);
   connect(steps, &QSpinBox::valueChanged, this, [this](int n) { document_.setStepsPerFrame(n); });
-  pace->addWidget(label);
-  pace->addWidget(steps, 1);
-  layout->addLayout(pace);
+  stepsRow->addWidget(label);
+  stepsRow->addWidget(steps, 1);
+  layout->addLayout(stepsRow);
   auto* pauses = new QCheckBox(tr("Pause at a leak"), part);
   describe(
       pauses, tr("Pause at a leak"),

@@ -2,6 +2,7 @@
 
 #include <QKeySequence>
 
+#include "core/version.h"
 #include "ui/model/translate.h"
 #include "ui/window/commands.h"
 #include "ui/window/help/help_window.h"

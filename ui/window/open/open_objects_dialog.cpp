@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kWidth = 520, kNameWidth = 400;             // pixels; lines of some 80 letters
 constexpr double kUsualLength = 1, kLongestLength = 100;  // mm
-constexpr int kMostTunnels = 999;
+constexpr int kMaxTunnels = 999;
 
 }  // namespace
 
@@ -128,7 +128,7 @@ QHBoxLayout* OpenObjectsDialog::tunnelsRow() {
            tr("In each surface, all of its parts together: tunnels are filled, or what goes around them is "
               "cut, whichever changes the fewest voxels"));
   tunnels_ = new QSpinBox(this);
-  tunnels_->setRange(0, kMostTunnels);
+  tunnels_->setRange(0, kMaxTunnels);
   tunnels_->setEnabled(false);
   describe(tunnels_, tr("Tunnels at most"), tr("Tunnels, as in a ring"));
   connect(limitsTunnels_, &QCheckBox::toggled, tunnels_, &QWidget::setEnabled);

@@ -48,8 +48,8 @@ Histogram histogramOf(const Volume& volume, int bins) {
   histogram.counts.assign(bins, 0);
   const double scale = bins / (histogram.high - histogram.low);
   for (float sample : samples) {
-    const double bin = std::clamp((sample - histogram.low) * scale, 0.0, bins - 1.0);
-    histogram.counts[static_cast<std::size_t>(bin)] += 1;
+    const auto bin = static_cast<int>(std::clamp((sample - histogram.low) * scale, 0.0, bins - 1.0));
+    histogram.counts[bin] += 1;
   }
   return histogram;
 }

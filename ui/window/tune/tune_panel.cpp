@@ -189,8 +189,7 @@ QWidget* TunePanel::buildExpert() {
                     "fewer iterations")},
                 resolution_, part));
   connect(resolution_, &QButtonGroup::idClicked, this, [this](int id) {
-    apply(tr("Change edges"), -1,
-          [id](Parameters& p) { p.resolution = kResolutions[static_cast<std::size_t>(id)]; });
+    apply(tr("Change edges"), -1, [id](Parameters& p) { p.resolution = kResolutions[id]; });
   });
   form->addRow(
       tr("Collisions"),

@@ -68,7 +68,7 @@ ViewGrid::ViewGrid(Document& document, ViewState& state, QWidget* parent)
 
 void ViewGrid::addSlice(Cell cell, Plane plane, Document& document, ViewState& state) {
   auto* view = new SliceView(plane, document, state, this);
-  slices_[static_cast<std::size_t>(plane)] = view;
+  slices_[indexOf(plane)] = view;
   connect(view, &SliceView::maximiseRequested, this,
           [this, cell] { maximise(maximised_ ? std::nullopt : std::optional(cell)); });
   addFrame(cell, view);
@@ -77,13 +77,13 @@ void ViewGrid::addSlice(Cell cell, Plane plane, Document& document, ViewState& s
 void ViewGrid::addFrame(Cell cell, QWidget* view) {
   view->setAccessibleName(tr("%1 view").arg(cellName(cell)));
   auto* frame = new ViewFrame(cellName(cell), view, this);
-  frames_[static_cast<std::size_t>(cell)] = frame;
+  frames_[indexOf(cell)] = frame;
   (cell == Cell::axial || cell == Cell::surface ? top_ : bottom_)->addWidget(frame);
   connect(frame, &ViewFrame::maximiseRequested, this,
           [this, cell] { maximise(maximised_ ? std::nullopt : std::optional(cell)); });
 }
 
-SliceView& ViewGrid::slice(Plane plane) const { return *slices_[static_cast<std::size_t>(plane)]; }
+SliceView& ViewGrid::slice(Plane plane) const { return *slices_[indexOf(plane)]; }
 
 void ViewGrid::maximise(std::optional<Cell> cell) {
   if (cell == maximised_) return;

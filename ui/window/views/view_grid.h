@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "core/enum_index.h"
 #include "ui/view/view_state.h"
 
 class QSplitter;
@@ -48,7 +49,7 @@ class ViewGrid : public QWidget {
   void maximisedChanged();
 
  private:
-  QWidget* frameOf(Cell cell) const { return frames_[static_cast<std::size_t>(cell)]; }
+  QWidget* frameOf(Cell cell) const { return frames_[indexOf(cell)]; }
   void addSlice(Cell cell, Plane plane, Document& document, ViewState& state);
   void addFrame(Cell cell, QWidget* view);
   void arrange();
