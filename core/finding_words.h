@@ -13,8 +13,8 @@ struct FindingWords {
   const char* text;
 };
 
-//! Of the kinds from fileRefused to onlyFrame, but for those of the next two, from startAndGiven to badList and
-//! from fieldMissing on.
+//! Of the kinds from fileRefused to onlyFrame, but for those of the next two, from startAndGiven to badList
+//! and from fieldMissing on.
 std::span<const FindingWords> wordsOfFiles();
 
 //! Of the kinds from dicomDamaged to decodingFailed.
