@@ -79,11 +79,12 @@ bool CollapsedComponents::mayHaveTurned(const Components& parts, const Collapsin
   return isOther || step.isPinned || (step.mayShrink && step.hasEvents);
 }
 
-std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& step) {
+ErasedComponents CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& step) {
   smaller_.follow(step.motion);
   if (!mustLook(step)) return {};
   if (step.topology.components == 1 && isWhole(mesh, step)) return {};
-  const Components parts = findComponents(mesh);
+  const auto found = std::make_shared<const Components>(findComponents(mesh));
+  const Components& parts = *found;
   know(parts, step);
   const bool looksForTurned = mayHaveTurned(parts, step);
   const std::vector<int> first = firstVertices(mesh, parts);
@@ -112,7 +113,8 @@ std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& 
     lookForTurned();
     events.push_back(std::move(event));
   }
-  return events;
+  if (!events.empty()) return {std::move(events), nullptr};
+  return {{}, found};
 }
 
 }  // namespace handlebody

@@ -2,6 +2,7 @@
 // Components that are to go.
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/mesh/smaller_components.h"
@@ -24,13 +25,19 @@ struct CollapsingStep {
   std::function<bool(int)> isPinned{};
 };
 
+struct ErasedComponents {
+  std::vector<Event> events;
+  //! All of the mesh, if they were looked for and none was deleted.
+  std::shared_ptr<const Components> parts;
+};
+
 //! Deletes the components that have collapsed, and those that have turned inside out while they did: a cavity
 //! would grow on as a body in the body, a body as a cavity of all space, without end. Knows when there can be
 //! none.
 class CollapsedComponents {
  public:
   //! Deletes them, one after the other. One that has turned is never kept: no mesh may hold it.
-  std::vector<Event> erase(Mesh& mesh, const CollapsingStep& step);
+  ErasedComponents erase(Mesh& mesh, const CollapsingStep& step);
   //! After a change of what moves the surface.
   void forget() { lookAt_ = 0, smaller_.forget(); }
   //! After an attempt that was taken back.

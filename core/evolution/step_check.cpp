@@ -125,7 +125,9 @@ std::vector<Conflict> StepCheck::topologyFaults(const StepResult& step) {
 std::vector<Conflict> StepCheck::componentFaults(const StepResult& step, const TopologyNumbers& expected) {
   smaller_.forget();
   const bool areSeveral = expected.components > 1;
-  const Components parts = areSeveral ? findComponents(step.mesh) : Components();
+  const bool areKnown = areSeveral && step.parts != nullptr;
+  const Components found = areSeveral && !areKnown ? findComponents(step.mesh) : Components();
+  const Components& parts = areKnown ? *step.parts : found;
   const int components = areSeveral ? parts.count() : countComponents(step.mesh);
   if (components != expected.components || expected.genus != (2 * components - expected.euler) / 2)
     return conflictsAtEvents(step, FindingKind::otherComponents);

@@ -18,8 +18,9 @@ struct StepResult {
   TopologyNumbers topology;  //!< of `before`
   VertexMarkSpan touched;    //!< per vertex: detection has looked at its faces as they are now
   std::span<const Event> events;
-  double longest = 0;          //!< mm, of an edge of the target length
-  double longestAnywhere = 0;  //!< mm, of an edge
+  double longest = 0;                 //!< mm, of an edge of the target length
+  double longestAnywhere = 0;         //!< mm, of an edge
+  const Components* parts = nullptr;  //!< of `mesh` as it is; null: they have to be looked for
 };
 
 //! Looks at what a step has changed, given that all was well before:

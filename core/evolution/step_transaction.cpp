@@ -135,16 +135,18 @@ void StepTransaction::deleteCollapsed(Mesh& mesh, const StepScene& scene, Attemp
   std::function<bool(int)> isPinned;
   if (locked.pins.any()) isPinned = [&locked](int v) { return locked.pins.holds(v); };
   const TopologyNumbers& now = a.events.empty() ? scene.topology : a.events.back().after;
-  for (Event& e : collapsed_.erase(mesh, {{before(), mesh, a.touched, scene.longest()},
-                                          scene.motion.edgeLength,
-                                          scene.mayShrink,
-                                          !a.events.empty(),
-                                          hasSurgery(a.events),
-                                          scene.iteration,
-                                          now,
-                                          isKept,
-                                          isPinned}))
-    a.events.push_back(std::move(e));
+  ErasedComponents erased = collapsed_.erase(mesh, {{before(), mesh, a.touched, scene.longest()},
+                                                    scene.motion.edgeLength,
+                                                    scene.mayShrink,
+                                                    !a.events.empty(),
+                                                    hasSurgery(a.events),
+                                                    scene.iteration,
+                                                    now,
+                                                    isKept,
+                                                    isPinned});
+  a.events.insert(a.events.end(), std::make_move_iterator(erased.events.begin()),
+                  std::make_move_iterator(erased.events.end()));
+  a.parts = std::move(erased.parts);
 }
 
 //! What of the attempt walls and pins do not allow; nothing if something was wrong already.

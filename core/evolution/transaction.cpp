@@ -10,8 +10,8 @@ namespace handlebody {
 Attempt Transaction::tryOnce(const StepWork& work) {
   Attempt a = work.attempt();
   if (a.conflicts.empty())
-    a.conflicts = check_.faultsOf(
-        {before_, work.mesh, work.topology, a.touched, a.events, work.longest, work.longestAnywhere});
+    a.conflicts = check_.faultsOf({before_, work.mesh, work.topology, a.touched, a.events, work.longest,
+                                   work.longestAnywhere, a.parts.get()});
   giveUpIfCancelled();  // the check can take as long as the attempt
   if (a.conflicts.empty()) a.held = work.judge(a);
   return a;

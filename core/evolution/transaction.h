@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/evolution/held_changes.h"
@@ -19,6 +20,7 @@ struct Attempt {
   std::vector<int> moving;          //!< vertices that were asked to move
   std::vector<double> distances;    //!< how far, mm
   std::vector<unsigned char> touched;  //!< per vertex: its faces have moved or are new, and were looked at
+  std::shared_ptr<const Components> parts;  //!< of the mesh as it is left, where they were looked for in it
 
   //! True if all that is wrong is what the user asked to be kept back: it is, place by place.
   bool isHeldBack() const {

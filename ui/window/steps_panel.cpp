@@ -1,5 +1,4 @@
 #include "ui/window/steps_panel.h"
-#include "ui/window/widgets/panel_tools.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -10,6 +9,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+
+#include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
 

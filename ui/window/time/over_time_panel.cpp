@@ -7,8 +7,10 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStyle>
 #include <QTableWidget>
 #include <QToolButton>
 #include <algorithm>
@@ -29,7 +31,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTools = 320, kTable = 290;  // pixels
+constexpr int kTools = 320, kTable = 290, kMinTable = 150;  // pixels
 const QString kNone = QStringLiteral("–");
 
 QString stateOf(const TimeSeries& time, int frame) {
@@ -43,6 +45,18 @@ QString stateOf(const TimeSeries& time, int frame) {
     return OverTimePanel::tr("corrected, from frame %1").arg(result->from.value_or(0));
   if (text.isEmpty()) return OverTimePanel::tr("carried from frame %1").arg(result->from.value_or(0));
   return (result->isTrusted() ? OverTimePanel::tr("⚠ %1") : OverTimePanel::tr("✗ %1")).arg(text);
+}
+
+//! Where a low window has no room for all of them, they are scrolled and not cut off.
+QScrollArea* scrolled(QWidget* tools, QWidget* parent) {
+  auto* area = new QScrollArea(parent);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidget(tools);
+  area->setFixedWidth(tools->width() + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+  return area;
 }
 
 QString volumeOf(const TimeSeries& time, int frame) {
@@ -59,15 +73,16 @@ OverTimePanel::OverTimePanel(Document& document, const Commands& commands, QWidg
       lastGesture_(ViewState::nextGesture()) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(6, 6, 6, 6);
-  row->addWidget(buildTools(commands));
+  row->addWidget(scrolled(buildTools(commands), this));
   plot_ = new VolumePlot(document_, this);
   row->addWidget(plot_, 1);
   table_ = listTable({tr("Frame"), tr("ms"), tr("ml"), tr("State")}, this);
   table_->setAccessibleName(tr("What has become of each frame"));
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);
-  table_->setFixedWidth(kTable);
-  row->addWidget(table_);
+  table_->setMinimumWidth(kMinTable);
+  table_->setMaximumWidth(kTable);
+  row->addWidget(table_, 1);
   connect(table_, &QTableWidget::cellClicked, this, [this](int index) { document_.time().show(index); });
   connect(table_, &QTableWidget::cellActivated, this, [this](int index) { document_.time().show(index); });
   TimeSeries& time = document_.time();

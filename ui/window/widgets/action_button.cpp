@@ -1,7 +1,8 @@
 #include "ui/window/widgets/action_button.h"
-#include "ui/window/widgets/panel_tools.h"
 
 #include <QAction>
+
+#include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
 

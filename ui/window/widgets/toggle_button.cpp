@@ -1,8 +1,9 @@
 #include "ui/window/widgets/toggle_button.h"
-#include "ui/window/widgets/panel_tools.h"
 
 #include <QAction>
 #include <QPainter>
+
+#include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
 
