@@ -26,6 +26,7 @@ constexpr int kMaxThreads = 1024;
 struct CompareOptions {
   std::string a, b;
   std::string label, labelA, labelB;
+  std::optional<int> frame;
   std::string distances, report, csv;
   ComparisonOptions how;
   bool json = false, quiet = false, isAnonymous = false;
@@ -34,8 +35,10 @@ struct CompareOptions {
 void checkOptions(const CompareOptions& o) {
   if (!o.labelA.empty() && isMeshInputPath(o.a)) throw OptionError("--label-a", o.a + " is a mesh.");
   if (!o.labelB.empty() && isMeshInputPath(o.b)) throw OptionError("--label-b", o.b + " is a mesh.");
-  if (!o.label.empty() && isMeshInputPath(o.a) && isMeshInputPath(o.b))
-    throw OptionError("--label", "both objects are meshes.");
+  if (isMeshInputPath(o.a) && isMeshInputPath(o.b)) {
+    if (!o.label.empty()) throw OptionError("--label", "both objects are meshes.");
+    if (o.frame) throw OptionError("--frame", "both objects are meshes.");
+  }
   std::vector<OutputFile> files;
   if (!o.distances.empty()) files.push_back({"-o", o.distances});
   if (!o.report.empty()) files.push_back({"--report", o.report});
@@ -68,8 +71,8 @@ int compare(const CompareOptions& o) {
   ComparedPair pair;
   const std::string &ofA = o.labelA.empty() ? o.label : o.labelA,
                     &ofB = o.labelB.empty() ? o.label : o.labelB;
-  pair.a = readCompared(o.a, labelOf(o.a, ofA), pair.warnings);
-  pair.b = readCompared(o.b, labelOf(o.b, ofB), pair.warnings);
+  pair.a = readCompared(o.a, labelOf(o.a, ofA), pair.warnings, {}, o.frame);
+  pair.b = readCompared(o.b, labelOf(o.b, ofB), pair.warnings, {}, o.frame);
   compareSampled(pair, o.how);
   if (o.isAnonymous) pair = anonymous(std::move(pair));
   write(pair, o);
@@ -113,6 +116,7 @@ void addCompare(CLI::App& app, Action& action) {
                  "The object in label maps, by its number or as the file calls it (default: all but 0)");
   addLabelOption(*command, "--label-a", options->labelA, "The same for A alone");
   addLabelOption(*command, "--label-b", options->labelB, "The same for B alone");
+  addLabelFrame(*command, options->frame);
   command
       ->add_option("-o,--output", options->distances,
                    "The surface of A with its signed distance to B at every vertex, mm, negative inside of B")

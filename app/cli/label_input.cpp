@@ -1,6 +1,7 @@
 #include "app/cli/label_input.h"
 
 #include <CLI/CLI.hpp>
+#include <limits>
 
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/label_file.h"
@@ -17,6 +18,14 @@ void addLabelOption(CLI::App& command, const std::string& name, std::string& lab
     label = parseLabel(name, text, -kLargestValue, kLargestValue);
   };
   command.add_option_function<std::string>(name, set, help)->type_name("N|NAME");
+}
+
+void addLabelFrame(CLI::App& command, std::optional<int>& frame) {
+  const auto set = [&frame](const std::string& text) {
+    frame = parseInteger("--frame", text, 0, std::numeric_limits<int>::max());
+  };
+  command.add_option_function<std::string>("--frame", set, "Time point of a 4D label map, from 0")
+      ->type_name("N");
 }
 
 std::optional<int> labelOf(const std::string& path, const std::string& label) {

@@ -1,5 +1,5 @@
 #pragma once
-// The option that chooses a label, for `compare` and `mesh`.
+// The options that choose a label and a time point, for `compare` and `mesh`.
 
 #include <optional>
 #include <string>
@@ -12,6 +12,9 @@ namespace handlebody::cli {
 
 //! Adds an option that takes a label's number or name.
 void addLabelOption(CLI::App& command, const std::string& name, std::string& label, const std::string& help);
+
+//! Adds --frame: the time point of label maps that have several.
+void addLabelFrame(CLI::App& command, std::optional<int>& frame);
 
 //! Its number; none if none was given, and of a mesh. Throws InputError (labelCalled).
 std::optional<int> labelOf(const std::string& path, const std::string& label);

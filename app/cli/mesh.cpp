@@ -34,7 +34,7 @@ constexpr int kMaxThreads = 1024;
 
 struct MeshOptions {
   std::string labels, label;
-  std::optional<int> genus;
+  std::optional<int> genus, frame;
   std::optional<bool> polish;
   double mesherSeconds = kMesherSeconds;
   bool keepLargest = false, json = false;
@@ -140,7 +140,7 @@ int mesh(const MeshOptions& o) {
   }
   checkWritable(files, {o.labels});
   const std::optional<int> label = labelOf(o.labels, o.label);
-  LabelFile file(o.labels);
+  LabelFile file(o.labels, {}, o.frame);
   const VolumeInfo& info = file.info();
   const ExportContext context{info.grid, o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
                               info.dicom, o.content, o.mesherSeconds};
@@ -204,6 +204,7 @@ void addMesh(CLI::App& app, Action& action) {
       addCommand(app, "mesh", "A smooth, even, certified mesh of a label map, of its topology");
   auto options = std::make_shared<MeshOptions>();
   command->add_option("LABELMAP", options->labels, "Any volume, .seg.nrrd or DICOM Segmentation")->required();
+  addLabelFrame(*command, options->frame);
   command->add_option("-o,--output", options->results, "The mesh, by its ending")
       ->type_name("OUT")
       ->required()

@@ -6,11 +6,13 @@
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/file_labels.h"
 #include "core/io/formats/label_map.h"
+#include "core/io/formats/sequence_writer.h"
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/io/overlapping_segments.h"
 #include "tests/support/catch.h"
+#include "tests/support/test_volume.h"
 
 using namespace handlebody::test;
 
@@ -67,6 +69,37 @@ TEST_CASE("a label's mesh is certified, with its topology and volume", "[cli][me
       {"compare", folder / "a.stl", folder / "l.mha", "--label", "1", "--sampling", "0.3", "--json"});
   CHECK(compared.at("dice") > 0.98);
   CHECK(compared.at("a").at("genus") == compared.at("b").at("genus"));
+}
+
+TEST_CASE("a time point of a 4D label map is chosen", "[cli][mesh]") {
+  using namespace handlebody;
+  const TempFolder folder;
+  const std::string path = folder / "beat.nii.gz";
+  Grid grid;
+  grid.size = {20, 20, 20};
+  const auto ball = [&grid](double radius) {
+    const auto value = [radius](int i, int j, int k) {
+      return (Vec3(i, j, k) - Vec3::Constant(9.5)).norm() < radius ? 1 : 0;
+    };
+    return testing::volumeByIndex(grid, value);
+  };
+  writeSequence({grid, VoxelType::float32, 2}, path, [&](int frame) { return ball(frame == 0 ? 4 : 7); });
+  const auto volume = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> all{"mesh", path, "-o", folder / "m.stl", "--json"};
+    all.insert(all.end(), options.begin(), options.end());
+    return runForJson(all).at("volume_mm3").get<double>();
+  };
+  CHECK(volume({"--frame", "1"}) > 4 * volume({"--frame", "0"}));
+  CHECK(volume({}) == volume({"--frame", "0"}));
+  CHECK(runForJson({"mesh", path, "--frame", "1", "-o", folder / "m.stl", "--json"}).at("components") == 1);
+  const auto dice = [&](const char* frame) {
+    return runForJson({"compare", folder / "m.stl", path, "--frame", frame, "--json"})
+        .at("dice")
+        .get<double>();
+  };
+  CHECK(dice("1") > 0.95);
+  CHECK(dice("0") < 0.5);
+  CHECK(runCli({"mesh", path, "--frame", "2", "-o", folder / "n.stl"}).exitCode == 2);
 }
 
 TEST_CASE("the topology is made simpler on request", "[cli][mesh]") {

@@ -40,13 +40,14 @@ std::string namesIn(const FileLabels& labels) {
 
 }  // namespace
 
-LabelFile::LabelFile(const std::string& path, const DecoderSettings& decoder)
+LabelFile::LabelFile(const std::string& path, const DecoderSettings& decoder, std::optional<int> frame)
     : path_(path), decoder_(decoder) {
-  LoadedVolume loaded = loadVolume(path, {.decoder = decoder});
+  LoadedVolume loaded = loadVolume(path, {.frame = frame, .decoder = decoder});
   info_ = std::move(loaded.info);
   read_ = std::move(loaded.volume);
   if (!holdsWholeNumbers(read_)) refuseInput(path, K::notWholeNumbers);
   if (info_.layers == 1) return;
+  readLayer_ = frame.value_or(0);
   if (info_.layers > static_cast<int>(kMaxLabels))
     throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path}, {"most", kMaxLabels}}));
   std::erase_if(info_.warnings, [](const Finding& w) { return w.kind == K::firstLayerUsed; });

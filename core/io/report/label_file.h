@@ -24,8 +24,11 @@ inline constexpr std::size_t kMaxLabels = 255;
 //! header says that the one before ends (FileLabels).
 class LabelFile {
  public:
-  //! Throws InputError that begins with `path`, also if a voxel is no whole number.
-  explicit LabelFile(const std::string& path, const DecoderSettings& decoder = {});
+  //! `frame`: time point of a 4D label map, zero-based; of a file in layers, which are all read, it says
+  //! nothing. Throws InputError that begins with `path`, also if a voxel is no whole number, and UsageError
+  //! if there is no such frame.
+  explicit LabelFile(const std::string& path, const DecoderSettings& decoder = {},
+                     std::optional<int> frame = {});
 
   //! Of the file; its warnings speak of it without naming it.
   const VolumeInfo& info() const { return info_; }
