@@ -8,6 +8,7 @@
 #include "ui/window/open/file_work.h"
 #include "ui/window/time/over_time_panel.h"
 #include "ui/window/widgets/icons.h"
+#include "ui/window/widgets/sideways_area.h"
 
 namespace handlebody::ui {
 
@@ -22,7 +23,7 @@ void MainWindow::buildTime() {
   overTime_ = new OverTimePanel(document_, commands_);
   overTimeDock_ = new QDockWidget(tr("Over time"), this);
   overTimeDock_->setObjectName(QStringLiteral("overTime"));
-  overTimeDock_->setWidget(overTime_);
+  overTimeDock_->setWidget(new SidewaysArea(overTime_));
   addDockWidget(Qt::BottomDockWidgetArea, overTimeDock_);
   tabifyDockWidget(timelineDock_, overTimeDock_);
   overTimeDock_->hide();
