@@ -564,19 +564,3 @@ TEST_CASE("a constraint that is not known is refused by its name, not dropped", 
       readSession(folder / "s.json", {}),
       Catch::Matchers::Contains("s.json") && Catch::Matchers::Contains("'requested.constraints.wals'"));
 }
-
-TEST_CASE("what the JSON library finds wrong with a session is a reason of its own, without its tag",
-          "[session]") {
-  const TempFolder folder;
-  nlohmann::json json = validJson();
-  json["version"] = 7;
-  test::writeBytes(folder / "s.json", json.dump());
-  try {
-    readSession(folder / "s.json");
-    FAIL("it was read");
-  } catch (const InputError& error) {
-    CHECK(error.what() ==
-          (folder / "s.json") + " is neither a session nor a report: type must be string, but is number.");
-    CHECK(findingOf(error).causes.at(0).kind == FindingKind::jsonUnexpected);
-  }
-}
