@@ -564,3 +564,13 @@ TEST_CASE("a constraint that is not known is refused by its name, not dropped", 
       readSession(folder / "s.json", {}),
       Catch::Matchers::Contains("s.json") && Catch::Matchers::Contains("'requested.constraints.wals'"));
 }
+
+TEST_CASE("a parameter that is not known is refused by its name, not dropped", "[session]") {
+  const TempFolder folder;
+  auto json = validJson();
+  json["requested"]["edge_lenght"] = 2;
+  test::writeBytes(folder / "s.json", json.dump());
+  CHECK_THROWS_WITH(
+      readSession(folder / "s.json", {}),
+      Catch::Matchers::Contains("s.json") && Catch::Matchers::Contains("'requested.edge_lenght'"));
+}
