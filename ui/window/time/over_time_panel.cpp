@@ -31,7 +31,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTools = 320, kTable = 290, kMinTable = 150;  // pixels
+constexpr int kTools = 320, kTable = 290;  // pixels
 const QString kNone = QStringLiteral("–");
 
 QString stateOf(const TimeSeries& time, int frame) {
@@ -80,9 +80,8 @@ OverTimePanel::OverTimePanel(Document& document, const Commands& commands, QWidg
   table_->setAccessibleName(tr("What has become of each frame"));
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);
-  table_->setMinimumWidth(kMinTable);
-  table_->setMaximumWidth(kTable);
-  row->addWidget(table_, 1);
+  table_->setFixedWidth(kTable);
+  row->addWidget(table_);
   connect(table_, &QTableWidget::cellClicked, this, [this](int index) { document_.time().show(index); });
   connect(table_, &QTableWidget::cellActivated, this, [this](int index) { document_.time().show(index); });
   TimeSeries& time = document_.time();
