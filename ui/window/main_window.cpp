@@ -44,8 +44,8 @@
 #include "ui/window/widgets/key_guard.h"
 #include "ui/window/widgets/label_face.h"
 #include "ui/window/widgets/message_bar.h"
+#include "ui/window/widgets/panel_area.h"
 #include "ui/window/widgets/panel_tools.h"
-#include "ui/window/widgets/sideways_area.h"
 
 namespace handlebody::ui {
 
@@ -160,7 +160,7 @@ void MainWindow::buildDocks() {
   connect(&grow_->topology(), &TopologySection::answered, this, &MainWindow::answerQuestion);
   timelineDock_ = new QDockWidget(tr("Timeline"), this);
   timelineDock_->setObjectName(QStringLiteral("timeline"));
-  timelineDock_->setWidget(new SidewaysArea(timeline_));
+  timelineDock_->setWidget(new PanelArea(timeline_));
   addDockWidget(Qt::BottomDockWidgetArea, timelineDock_);
   buildTime();
   buildMeasures();

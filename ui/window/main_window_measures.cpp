@@ -9,7 +9,7 @@
 #include "ui/window/measures/measures_panel.h"
 #include "ui/window/measures/sensitivity_page.h"
 #include "ui/window/open/file_work.h"
-#include "ui/window/widgets/sideways_area.h"
+#include "ui/window/widgets/panel_area.h"
 
 namespace handlebody::ui {
 
@@ -32,7 +32,7 @@ void MainWindow::buildMeasures() {
   measures_ = new MeasuresPanel(document_, state_, commands_);
   measuresDock_ = new QDockWidget(tr("Measures"), this);
   measuresDock_->setObjectName(QStringLiteral("measures"));
-  measuresDock_->setWidget(new SidewaysArea(measures_));
+  measuresDock_->setWidget(new PanelArea(measures_));
   addDockWidget(Qt::BottomDockWidgetArea, measuresDock_);
   tabifyDockWidget(timelineDock_, measuresDock_);
   measuresDock_->hide();

@@ -8,7 +8,7 @@
 #include "ui/window/open/file_work.h"
 #include "ui/window/time/over_time_panel.h"
 #include "ui/window/widgets/icons.h"
-#include "ui/window/widgets/sideways_area.h"
+#include "ui/window/widgets/panel_area.h"
 
 namespace handlebody::ui {
 
@@ -23,7 +23,7 @@ void MainWindow::buildTime() {
   overTime_ = new OverTimePanel(document_, commands_);
   overTimeDock_ = new QDockWidget(tr("Over time"), this);
   overTimeDock_->setObjectName(QStringLiteral("overTime"));
-  overTimeDock_->setWidget(new SidewaysArea(overTime_));
+  overTimeDock_->setWidget(new PanelArea(overTime_));
   addDockWidget(Qt::BottomDockWidgetArea, overTimeDock_);
   tabifyDockWidget(timelineDock_, overTimeDock_);
   overTimeDock_->hide();

@@ -7,10 +7,8 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStyle>
 #include <QTableWidget>
 #include <QToolButton>
 #include <algorithm>
@@ -47,18 +45,6 @@ QString stateOf(const TimeSeries& time, int frame) {
   return (result->isTrusted() ? OverTimePanel::tr("⚠ %1") : OverTimePanel::tr("✗ %1")).arg(text);
 }
 
-//! Where a low window has no room for all of them, they are scrolled and not cut off.
-QScrollArea* scrolled(QWidget* tools, QWidget* parent) {
-  auto* area = new QScrollArea(parent);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidgetResizable(true);
-  area->setFocusPolicy(Qt::NoFocus);
-  area->setWidget(tools);
-  area->setFixedWidth(tools->width() + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-  return area;
-}
-
 QString volumeOf(const TimeSeries& time, int frame) {
   const FrameResult* result = time.resultOf(frame);
   return result && result->volume > 0 ? number(result->volume / 1000) : kNone;
@@ -73,7 +59,7 @@ OverTimePanel::OverTimePanel(Document& document, const Commands& commands, QWidg
       lastGesture_(ViewState::nextGesture()) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(6, 6, 6, 6);
-  row->addWidget(scrolled(buildTools(commands), this));
+  row->addWidget(buildTools(commands));
   plot_ = new VolumePlot(document_, this);
   row->addWidget(plot_, 1);
   table_ = listTable({tr("Frame"), tr("ms"), tr("ml"), tr("State")}, this);

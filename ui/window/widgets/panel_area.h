@@ -1,17 +1,16 @@
 #pragma once
-// A panel that is scrolled sideways where the screen is narrower than its texts: else it would push the
-// window out of the screen.
+// A panel that is scrolled where the screen is smaller than it needs: else it would push the window out of
+// the screen, or be cut off.
 
 #include <QScrollArea>
 
 namespace handlebody::ui {
 
-class SidewaysArea : public QScrollArea {
+class PanelArea : public QScrollArea {
  public:
-  explicit SidewaysArea(QWidget* panel);
+  explicit PanelArea(QWidget* panel);
 
   QSize sizeHint() const override;
-  //! As high as the panel must be.
   QSize minimumSizeHint() const override;
 
  protected:
