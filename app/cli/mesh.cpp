@@ -14,6 +14,7 @@
 #include "app/cli/progress.h"
 #include "core/cancellation.h"
 #include "core/errors.h"
+#include "core/evolution/parameter_limits.h"
 #include "core/io/refuse_input.h"
 #include "core/io/report/json.h"
 #include "core/io/report/label_file.h"
@@ -80,12 +81,12 @@ void requireManageable(const Mask& mask, const MeshOptions& o) {
 }
 
 void requireSmooth(const Grid& grid, double smoothing) {
-  double longest = 0;
-  for (int a = 0; a < 3; ++a) longest = std::max(longest, grid.size[a] * grid.spacing[a]);
-  if (smoothing > longest / 4)
+  const ParameterLimits limits = limitsFor(grid);
+  if (smoothing > limits.smoothing)
     throw OptionError("--smooth",
                       numberText(smoothing) + " mm is too much for a label map whose longest side is " +
-                          numberText(longest) + " mm: at most " + numberText(longest / 4) + " mm.",
+                          numberText(limits.longestSide) + " mm: at most " + numberText(limits.smoothing) +
+                          " mm.",
                       " ");
 }
 
