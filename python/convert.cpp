@@ -127,7 +127,7 @@ Vec3 vectorFrom(const py::object& value, const std::string& what) {
   if (!array) PyErr_Clear();
   if (!array || array.ndim() != 1 || array.shape(0) != 3)
     throw UsageError(what + ": it is not three numbers.");
-  const Vec3 vector(array.at(0), array.at(1), array.at(2));
+  Vec3 vector(array.at(0), array.at(1), array.at(2));
   if (!vector.allFinite()) throw UsageError(what + ": it is not three finite numbers.");
   return vector;
 }

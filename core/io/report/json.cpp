@@ -380,7 +380,7 @@ std::vector<ParameterChange> changesFromJson(const JsonField& json) {
 }
 
 std::string nameFromJson(const JsonField& json) {
-  const std::string name = json.text();
+  std::string name = json.text();
   if (nameFaultOf(name) != NameFault::none)
     json.refuse(K::fieldNoName, {{"most", kLongestName}, {"separators", std::string(kNameSeparators)}});
   return name;

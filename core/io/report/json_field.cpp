@@ -79,7 +79,7 @@ Vec3 JsonField::point() const {
 }
 
 Vec3 JsonField::direction() const {
-  const Vec3 vector = point();
+  Vec3 vector = point();
   if (!(vector.norm() > 0)) refuse(K::fieldNoDirection);
   return vector;
 }
