@@ -384,7 +384,6 @@ constexpr FindingWords kWords[] = {
 
     {K::startAndGiven, "start-and-given",
      "an object begins with one surface ({option:start}) or is one ({option:given}), not both."},
-    {K::jsonUnexpected, "json-unexpected", "{reason}."},
     {K::noSurface, "no-surface", QT_TRANSLATE_NOOP("Findings", "{file}: it {cause}.")},
 
     {K::damagedBecause, "damaged-because",

@@ -495,8 +495,7 @@ enum class FindingKind {
 
   // What is wrong with an option, a session or a label map …
   startAndGiven,
-  jsonUnexpected,  //!< reason
-  noSurface,       //!< file; cause: as of notAStart
+  noSurface,  //!< file; cause: as of notAStart
 
   // … and with a part or a place of a file: damagedBecause has one of the next.
   damagedBecause,     //!< format; cause

@@ -9,4 +9,5 @@ install_dependencies build test
 configure dev
 cmake --build --preset dev -j "$(nproc)"
 # The limit is for tests that do not set their own.
-ctest --preset dev -j "$(nproc)" --timeout 600 "$@"
+# One more than there are cores: some tests wait for other programs.
+ctest --preset dev -j "$(($(nproc) + 1))" --timeout 600 "$@"

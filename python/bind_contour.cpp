@@ -115,7 +115,7 @@ py::object measuresOf(const Contour& contour) {
   return toPython(measuresToJson(measures));
 }
 
-py::array labelMapOf(const Contour& contour, const py::object& on) {
+py::array contourLabelMap(const Contour& contour, const py::object& on) {
   const Grid grid = on.is_none() ? contour.volume().loaded.volume.grid : gridOf(on);
   Volume labels;
   with(contour, [&] { labels = contour.mesh().labelMap(grid); });
@@ -148,7 +148,7 @@ void saveContour(const Contour& contour, const py::args& to, const std::string& 
   });
 }
 
-std::string nameOf(const Contour& contour) {
+std::string contourName(const Contour& contour) {
   return "<handlebody.Contour iteration " + std::to_string(contour.iteration()) + ", " +
          stopReasonName(contour.stopReason()) + ">";
 }
@@ -222,7 +222,7 @@ void bindResults(ContourClass& contour) {
       "report", [](const Contour& c) { return toPython(reportText(reportOf(c, true))); },
       "report()\n\nThe report of `handlebody-cli segment --report` as a dictionary; without times.");
   contour.def(
-      "label_map", &labelMapOf, py::arg("grid") = py::none(),
+      "label_map", &contourLabelMap, py::arg("grid") = py::none(),
       "label_map(grid=None)\n\nOf mesh() on a Grid or the grid of a Volume, by default that of the volume: "
       "uint8 array z, y, x, of the caller's own.");
   contour.def(
@@ -238,7 +238,7 @@ void bindResults(ContourClass& contour) {
       },
       py::arg("path"),
       "save_session(path)\n\nFor `handlebody-cli replay` and the window. The volume must be from a file.");
-  contour.def("__repr__", &nameOf);
+  contour.def("__repr__", &contourName);
 }
 
 }  // namespace

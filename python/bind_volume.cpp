@@ -121,7 +121,7 @@ void saveVolume(const PythonVolume& volume, const py::object& to) {
   });
 }
 
-std::string nameOf(const PythonVolume& volume) {
+std::string volumeName(const PythonVolume& volume) {
   const Grid& grid = volume.loaded.volume.grid;
   std::string text = "<handlebody.Volume ";
   for (std::size_t axis : {0, 1, 2}) text += (axis ? " x " : "") + std::to_string(grid.size[axis]);
@@ -195,7 +195,7 @@ void bindVolumeClass(py::module_& module) {
       "save", &saveVolume, py::arg("path"),
       "save(path)\n\nWrites .nii.gz, .nii, .nrrd or .mha, whole or not at all. Not over the file that it "
       "was read from.");
-  volume.def("__repr__", &nameOf);
+  volume.def("__repr__", &volumeName);
 }
 
 VoxelType phantomTypeOf(const std::string& name) {

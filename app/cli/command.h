@@ -13,6 +13,8 @@ class App;
 
 namespace handlebody::cli {
 
+inline constexpr int kMaxThreads = 1024;  //!< of --threads
+
 //! The contract with callers; see the README.
 enum ExitCode : int {
   kDone = 0,

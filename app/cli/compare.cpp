@@ -21,8 +21,6 @@ namespace handlebody::cli {
 
 namespace {
 
-constexpr int kMaxThreads = 1024;
-
 struct CompareOptions {
   std::string a, b;
   std::string label, labelA, labelB;

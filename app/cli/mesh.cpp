@@ -31,8 +31,6 @@ namespace handlebody::cli {
 
 namespace {
 
-constexpr int kMaxThreads = 1024;
-
 struct MeshOptions {
   std::string labels, label;
   std::optional<int> genus, frame;

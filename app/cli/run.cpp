@@ -142,11 +142,11 @@ LoadedSession load(Session session, bool isAnonymous) {
   Stopwatch watch;
   VolumeReference& reference = session.volume;
   LoadedSession loaded;
-  const std::string hash = sha256OfPath(reference.path);
-  if (!reference.sha256.empty() && reference.sha256 != hash)
+  const PathHash hash = hashOfPath(reference.path);
+  if (!reference.sha256.empty() && !hash.is(reference.sha256))
     throw InputError(reference.path +
                      " is not the volume that the session was made from: its SHA-256 differs.");
-  reference.sha256 = hash;
+  reference.sha256 = hash.whole;
   findSeries(reference);
   LoadedVolume read = loadVolume(reference.path, reference.selection);
   verifyVoxels(reference, read.volume);

@@ -84,11 +84,14 @@ double ClosestPoint::distance(const Vec3& p, int* hint) const {
     if (!(w.squared < best)) continue;
     const Node& node = nodes_[w.node];
     if (node.right == 0) {
-      for (int i = node.first; i < node.last; ++i)
-        if (const double squared = squaredTo(p, order_[i]); squared < best) {
+      for (int i = node.first; i < node.last; ++i) {
+        const int triangle = order_[i];
+        if (!(squaredToBox(p, boxOf(triangle)) < best)) continue;  // a fifth of the work of the distance
+        if (const double squared = squaredTo(p, triangle); squared < best) {
           best = squared;
-          nearest = order_[i];
+          nearest = triangle;
         }
+      }
       continue;
     }
     Waiting near{w.node + 1, squaredToBox(p, nodes_[w.node + 1].box)};

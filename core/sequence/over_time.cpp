@@ -9,14 +9,13 @@
 #include "core/mesh/validity.h"
 #include "core/sequence/carried_seeds.h"
 #include "core/told_error.h"
+#include "core/units.h"
 
 namespace handlebody {
 
 namespace {
 
 using K = FindingKind;
-
-constexpr double kMillilitre = 1000;  // mm³
 
 //! With what an error says as its cause.
 template <typename Error>

@@ -1792,10 +1792,6 @@
         <translation>Ein Objekt beginnt mit einer Oberfläche oder ist eine, nicht beides.</translation>
     </message>
     <message>
-        <source>something in it is not what it should be ({reason}).</source>
-        <translation>Etwas darin ist nicht, wie es sein soll ({reason}).</translation>
-    </message>
-    <message>
         <source>The balloon weight must be a number above 0.</source>
         <translation>Das Gewicht des Ballons muss eine Zahl über 0 sein.</translation>
     </message>

@@ -1792,10 +1792,6 @@
         <translation>Un objeto comienza con una superficie o es una, pero no ambas cosas.</translation>
     </message>
     <message>
-        <source>something in it is not what it should be ({reason}).</source>
-        <translation>Algo en el archivo no es como debería ser ({reason}).</translation>
-    </message>
-    <message>
         <source>The balloon weight must be a number above 0.</source>
         <translation>El peso del globo debe ser un número mayor que 0.</translation>
     </message>

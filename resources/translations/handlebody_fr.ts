@@ -1792,10 +1792,6 @@
         <translation>Un objet commence par une surface ou en est une, mais pas les deux.</translation>
     </message>
     <message>
-        <source>something in it is not what it should be ({reason}).</source>
-        <translation>Quelque chose n’y est pas comme il se doit ({reason}).</translation>
-    </message>
-    <message>
         <source>The balloon weight must be a number above 0.</source>
         <translation>Le poids du ballon doit être un nombre supérieur à 0.</translation>
     </message>

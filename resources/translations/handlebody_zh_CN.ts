@@ -1792,10 +1792,6 @@
         <translation>目标要么以一个表面开始，要么本身就是一个表面，不能两者兼有。</translation>
     </message>
     <message>
-        <source>something in it is not what it should be ({reason}).</source>
-        <translation>其中有内容不符合要求（{reason}）。</translation>
-    </message>
-    <message>
         <source>The balloon weight must be a number above 0.</source>
         <translation>气球力的权重必须是大于 0 的数。</translation>
     </message>

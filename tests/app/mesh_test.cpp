@@ -18,9 +18,9 @@ using namespace handlebody::test;
 
 namespace {
 
-//! Unsigned bytes of a cube of n³ voxels.
+//! Unsigned bytes of a labelCube of n³ voxels.
 template <typename F>
-std::string cube(int n, F&& value) {
+std::string labelCube(int n, F&& value) {
   const std::string size = std::to_string(n);
   std::string bytes =
       "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nDimSize = " + size +
@@ -32,7 +32,7 @@ std::string cube(int n, F&& value) {
 
 //! Label 1: a block with a hole along z; label 2: two voxels that touch at a corner.
 std::string someLabels() {
-  return cube(16, [](int x, int y, int z) {
+  return labelCube(16, [](int x, int y, int z) {
     if ((x == 14 && y == 14 && z == 14) || (x == 15 && y == 15 && z == 15)) return 2;
     const bool block = x > 1 && x < 12 && y > 1 && y < 12 && z > 3 && z < 9;
     return block && !(x == 6 && y == 7) ? 1 : 0;
@@ -229,7 +229,7 @@ TEST_CASE("what is no label map, or has nothing to mesh, is refused in one sente
   const TempFolder folder;
   const std::string labels = folder / "l.mha", out = folder / "m.stl";
   writeBytes(labels, someLabels());
-  writeBytes(folder / "zero.mha", cube(8, [](int, int, int) { return 0; }));
+  writeBytes(folder / "zero.mha", labelCube(8, [](int, int, int) { return 0; }));
   writeBytes(folder / "letter.nii", "This is a letter.\n");
   requireRefusal(folder, {"mesh", labels}, 2, "--output");
   requireRefusal(folder, {"mesh", labels, "-o", folder / "m.xyz"}, 2, "m.xyz");

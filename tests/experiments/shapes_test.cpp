@@ -39,8 +39,8 @@ Limits limitsFor(const std::string& name) {
   return {0.992, 0.061, 0.18, 0.0085, 0.985};
 }
 
-const std::vector<std::string> kShapes{"rings", "trefoil", "tree",     "balls",
-                                       "plate", "neck",    "dumbbell", "gyroid"};
+const std::vector<std::string> kHardShapes{"rings", "trefoil", "tree",     "balls",
+                                           "plate", "neck",    "dumbbell", "gyroid"};
 
 void expectShape(const std::string& name, const PhantomOptions& options, Direction direction,
                  const char* what) {
@@ -54,12 +54,12 @@ void expectShape(const std::string& name, const PhantomOptions& options, Directi
 }  // namespace
 
 TEST_CASE("hard shapes end with the right topology, certified and accurate", "[shapes]") {
-  const std::string name = GENERATE(from_range(kShapes));
+  const std::string name = GENERATE(from_range(kHardShapes));
   expectShape(name, {}, Direction::outward, "outward");
 }
 
 TEST_CASE("hard shapes come out of other noise, and where the surface may shrink", "[shapes]") {
-  const std::string name = GENERATE(from_range(kShapes));
+  const std::string name = GENERATE(from_range(kHardShapes));
   PhantomOptions options;
   options.randomSeed = 7;
   expectShape(name, options, Direction::both, "both directions");

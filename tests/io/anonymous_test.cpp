@@ -138,9 +138,9 @@ std::vector<Slice> brightOverTime() {
   return slices;
 }
 
-const std::vector<std::string> kOutputs{"a.stl",      "a.vtp",     "a.ply",    "a.obj",  "a.3mf",
-                                        "a.gltf",     "a.nii",     "a.nii.gz", "a.nrrd", "a.mha",
-                                        "a.seg.nrrd", "a.seg.dcm", "a.stl.dcm"};
+const std::vector<std::string> kAnonymousOutputs{"a.stl",      "a.vtp",     "a.ply",    "a.obj",  "a.3mf",
+                                                 "a.gltf",     "a.nii",     "a.nii.gz", "a.nrrd", "a.mha",
+                                                 "a.seg.nrrd", "a.seg.dcm", "a.stl.dcm"};
 
 //! Its exit code; what it says does not matter.
 int execute(const std::string& arguments) {
@@ -162,7 +162,7 @@ int run(const TemporaryFolder& folder, const std::string& to, const std::string&
   fs::create_directories(folder / to);
   std::string command = "segment " + quoted(folder / patient.folder) + " --series " + patient.series +
                         " --seed-ijk 19,19,11 --quiet " + more;
-  for (const std::string& name : kOutputs) command += " -o " + quoted((folder / to) + "/" + name);
+  for (const std::string& name : kAnonymousOutputs) command += " -o " + quoted((folder / to) + "/" + name);
   return execute(command + sideFiles(folder / to) + " --label-description " +
                  quoted((folder / to) + "/l.txt") + " --sensitivity 2 --sensitivity-surface " +
                  quoted((folder / to) + "/v.vtp"));
@@ -185,7 +185,7 @@ std::set<std::string> telling(const std::string& folder) {
   return all;
 }
 
-bool holds(const std::string& text, const std::string& value) {
+bool holdsValue(const std::string& text, const std::string& value) {
   const std::boyer_moore_horspool_searcher searcher(value.begin(), value.end());  // there are many values
   return std::search(text.begin(), text.end(), searcher) != text.end();
 }
@@ -197,7 +197,7 @@ std::set<std::string> found(const std::string& folder, const std::set<std::strin
     std::string text = fs::relative(entry.path(), folder).string();
     if (entry.is_regular_file()) text += "\n" + unpacked(readBytes(entry.path().string()));
     for (const std::string& value : values)
-      if (holds(text, value)) hits.insert(value);
+      if (holdsValue(text, value)) hits.insert(value);
   }
   return hits;
 }
@@ -235,7 +235,7 @@ TEST_CASE("no value of the source is in any file that is written anonymously") {
     CHECK(open.count(value) == 1);
 
   REQUIRE(run(folder, "hidden", "--anonymous") == 0);
-  CHECK(filesIn(folder / "hidden") == std::ptrdiff_t(kOutputs.size()) + 6);
+  CHECK(filesIn(folder / "hidden") == std::ptrdiff_t(kAnonymousOutputs.size()) + 6);
   CHECK(found(folder / "hidden", values) == std::set<std::string>{});
   CHECK(readBytes(folder / "hidden/a.stl") == readBytes(folder / "open/a.stl"));
   const Volume one = readVolume(folder / "open/a.seg.dcm"), other = readVolume(folder / "hidden/a.seg.dcm");
@@ -258,7 +258,7 @@ TEST_CASE("what is written anonymously is the same for another patient with the 
   const auto bytes = [&](const Patient& patient, const std::string& name) {
     return readBytes((folder / (patient.folder + ".out")) + "/" + name);
   };
-  for (const std::string& name : kOutputs)
+  for (const std::string& name : kAnonymousOutputs)
     if (!name.ends_with(".dcm")) CHECK(bytes(kJane, name) == bytes(kJohn, name));  // those have random UIDs
   for (const char* name : {"p.png", "l.txt", "v.vtp"}) {
     CHECK_FALSE(bytes(kJane, name).empty());
@@ -328,8 +328,8 @@ TEST_CASE("nor of several objects, one of them from a file that names the patien
     std::string command = "segment " + quoted(folder / kJane.folder) + " --quiet " + more +
                           " --object-name old --given " + quoted(folder / "DOE_JANE_old.stl") +
                           " --object-name new --seed-ijk 19,19,11";
-    for (const std::string& name : kOutputs) command += " -o " + quoted((folder / to) + "/" + name);
-    for (const std::string& name : kOutputs)
+    for (const std::string& name : kAnonymousOutputs) command += " -o " + quoted((folder / to) + "/" + name);
+    for (const std::string& name : kAnonymousOutputs)
       command += " -o " + quoted("old=" + (folder / to) + "/old." + name);
     return execute(command + sideFiles(folder / to) + " --label-description " +
                    quoted((folder / to) + "/l.txt"));

@@ -43,7 +43,7 @@ struct Source {
   const DicomOrigin& origin() const { return *loaded.info.dicom; }
 };
 
-std::vector<ExportedObject> twoObjects(const std::string& name = "Left kidney") {
+std::vector<ExportedObject> twoOrgans(const std::string& name = "Left kidney") {
   ObjectLabel first, second;
   first.name = name;
   first.value = 3;
@@ -85,7 +85,7 @@ bool holds(const std::string& bytes, const std::string& part) {
 
 TEST_CASE("a segmentation that is read back holds the same voxels at the same places") {
   const Source source;
-  const auto objects = twoObjects();
+  const auto objects = twoOrgans();
   const Volume labels = randomLabels(source.grid());
   const std::string path = source.folder / "out.seg.dcm";
   writeDicomSegmentation(labels, objects, source.origin(), {}, path);
@@ -111,7 +111,7 @@ TEST_CASE("a segmentation belongs to patient and study of its series and refers 
   DicomContent content;
   content.creator = "Miller^Ann";
   content.description = "planning";
-  writeDicomSegmentation(randomLabels(source.grid()), twoObjects(), source.origin(), content,
+  writeDicomSegmentation(randomLabels(source.grid()), twoOrgans(), source.origin(), content,
                          source.folder / "out.seg.dcm");
   const std::string bytes = readBytes(source.folder / "out.seg.dcm");
   for (const auto& [tag, value] : patient()) {
@@ -140,7 +140,7 @@ TEST_CASE("every segmentation and its series have UIDs of their own") {
   const Source source;
   std::set<std::string> uids;
   for (const char* name : {"a.seg.dcm", "b.seg.dcm"}) {
-    writeDicomSegmentation(randomLabels(source.grid()), twoObjects(), source.origin(), {},
+    writeDicomSegmentation(randomLabels(source.grid()), twoOrgans(), source.origin(), {},
                            source.folder / name);
     const VolumeInfo info = inspectVolume(source.folder / name);
     REQUIRE(info.series.size() == 1);
@@ -156,13 +156,13 @@ TEST_CASE("every segmentation and its series have UIDs of their own") {
 
 TEST_CASE("a name beyond ASCII turns the patient's values to UTF-8 with it") {
   const Source source(9, patient("M\xfcller^J\xf6rg"));
-  writeDicomSegmentation(randomLabels(source.grid()), twoObjects("Ni\u00e8re"), source.origin(), {},
+  writeDicomSegmentation(randomLabels(source.grid()), twoOrgans("Ni\u00e8re"), source.origin(), {},
                          source.folder / "utf8.seg.dcm");
   const std::string bytes = readBytes(source.folder / "utf8.seg.dcm");
   CHECK(holds(bytes, element(0x08, 0x05, "CS", "ISO_IR 192")));
   CHECK(holds(bytes, element(0x10, 0x10, "PN", "M\u00fcller^J\u00f6rg")));
   CHECK(holds(bytes, element(0x62, 0x05, "LO", "Ni\u00e8re")));
-  writeDicomSegmentation(randomLabels(source.grid()), twoObjects("Kidney"), source.origin(), {},
+  writeDicomSegmentation(randomLabels(source.grid()), twoOrgans("Kidney"), source.origin(), {},
                          source.folder / "latin.seg.dcm");
   CHECK(holds(readBytes(source.folder / "latin.seg.dcm"), element(0x10, 0x10, "PN", "M\xfcller^J\xf6rg")));
 }
@@ -176,7 +176,7 @@ TEST_CASE("a segmentation of images that were compressed with loss says so, an a
   for (const bool anonymous : {false, true}) {
     DicomContent content;
     content.anonymous = anonymous;
-    writeDicomSegmentation(randomLabels(source.grid()), twoObjects(), source.origin(), content, path);
+    writeDicomSegmentation(randomLabels(source.grid()), twoOrgans(), source.origin(), content, path);
     const std::string bytes = readBytes(path);
     CHECK(holds(bytes, element(0x28, 0x2110, "CS", "01")));
     CHECK(holds(bytes, element(0x28, 0x2112, "DS", "12.5")));
@@ -190,7 +190,7 @@ TEST_CASE("a series whose UIDs were blanked gives a segmentation without referen
   blank.studyUid.clear();
   for (DicomImage& image : blank.images) image.instance.clear();
   const std::string path = source.folder / "blank.seg.dcm";
-  writeDicomSegmentation(randomLabels(source.grid()), twoObjects(), blank, {}, path);
+  writeDicomSegmentation(randomLabels(source.grid()), twoOrgans(), blank, {}, path);
   CHECK(readVolume(path).grid.size == std::array{7, 5, 8});
   CHECK_FALSE(holds(readBytes(path), std::string("\x08\0\x55\x11", 4)));
 }
@@ -213,7 +213,7 @@ TEST_CASE("no DICOM file is made for a volume that does not lie in a patient's s
   given.spacing = Vec3(1, 1, 1);
   const auto other = loadVolume(source.folder / "series", given);
   CHECK_THAT(dicomFault(other.info.dicom.get()), Contains("given by the user"));
-  CHECK_THROWS_AS(writeDicomSegmentation(randomLabels(other.volume.grid), twoObjects(), *other.info.dicom, {},
+  CHECK_THROWS_AS(writeDicomSegmentation(randomLabels(other.volume.grid), twoOrgans(), *other.info.dicom, {},
                                          folder / "x.seg.dcm"),
                   UsageError);
   CHECK(dicomFault(source.loaded.info.dicom.get()).empty());
@@ -228,7 +228,7 @@ TEST_CASE("slices that were resampled are referred to as a series, not one by on
   const auto loaded = loadVolume(folder / "uneven");
   REQUIRE_FALSE(loaded.info.dicom->straight);
   const Volume labels = randomLabels(loaded.volume.grid);
-  writeDicomSegmentation(labels, twoObjects(), *loaded.info.dicom, {}, folder / "u.seg.dcm");
+  writeDicomSegmentation(labels, twoOrgans(), *loaded.info.dicom, {}, folder / "u.seg.dcm");
   const std::string bytes = readBytes(folder / "u.seg.dcm");
   const std::string reference = element(0x08, 0x1155, "UI", loaded.info.dicom->images[3].instance);
   CHECK(bytes.find(reference) != std::string::npos);
@@ -262,9 +262,9 @@ TEST_CASE("an object without a voxel is refused, and nothing is left behind") {
   void* buffer = nullptr;
   const Volume empty = makeVolume(source.grid(), VoxelType::uint8, &buffer);
   CHECK_THROWS_WITH(
-      writeDicomSegmentation(empty, twoObjects(), source.origin(), {}, source.folder / "e.seg.dcm"),
+      writeDicomSegmentation(empty, twoOrgans(), source.origin(), {}, source.folder / "e.seg.dcm"),
       Contains("Left kidney holds the centre of no voxel"));
-  CHECK_THROWS_AS(writeDicomSegmentation(randomLabels(source.grid()), twoObjects(), source.origin(), {},
+  CHECK_THROWS_AS(writeDicomSegmentation(randomLabels(source.grid()), twoOrgans(), source.origin(), {},
                                          source.folder / "no/such/folder.seg.dcm"),
                   OutputError);
   CHECK(source.folder.fileCount() == 1);
@@ -273,7 +273,7 @@ TEST_CASE("an object without a voxel is refused, and nothing is left behind") {
 TEST_CASE("damaged segmentations are refused in one sentence") {
   const Source source;
   const std::string path = source.folder / "out.seg.dcm";
-  writeDicomSegmentation(randomLabels(source.grid()), twoObjects(), source.origin(), {}, path);
+  writeDicomSegmentation(randomLabels(source.grid()), twoOrgans(), source.origin(), {}, path);
   const std::string bytes = readBytes(path);
   const std::string bad = source.folder / "bad.dcm";
   for (std::size_t cut = 1; cut < 12; ++cut) {
@@ -303,7 +303,7 @@ TEST_CASE("damaged segmentations are refused in one sentence") {
 
 TEST_CASE("an encapsulated STL holds the meshes as they are, for the patient of the series") {
   const Source source;
-  auto objects = twoObjects();
+  auto objects = twoOrgans();
   objects[0].mesh = zoo::sphere(2);
   objects[1].mesh = zoo::moved(zoo::sphere(2), Vec3(5, 0, 0));
   const std::string path = source.folder / "out.stl.dcm";

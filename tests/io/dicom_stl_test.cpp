@@ -10,9 +10,9 @@ using namespace handlebody::test;
 
 namespace {
 
-constexpr const char* kExplicit = "1.2.840.10008.1.2.1";
+constexpr const char* kExplicitSyntax = "1.2.840.10008.1.2.1";
 
-TriangleSoup ball() { return sphere(Vec3(-101.5, 57.25, 181), 12.5, 2); }
+TriangleSoup stlBall() { return sphere(Vec3(-101.5, 57.25, 181), 12.5, 2); }
 
 //! The bytes of a binary STL.
 std::string stl(const TriangleSoup& mesh, CoordinateSpace space = CoordinateSpace::lps) {
@@ -23,7 +23,7 @@ std::string stl(const TriangleSoup& mesh, CoordinateSpace space = CoordinateSpac
 
 //! A DICOM file as others may make it.
 struct Encapsulated {
-  std::string syntax = kExplicit, type = "model/stl", unit{}, document = stl(ball());
+  std::string syntax = kExplicitSyntax, type = "model/stl", unit{}, document = stl(stlBall());
   //! With the lengths of a sequence and its item, or with marks at their ends.
   bool hasLengths = true;
 
@@ -79,26 +79,26 @@ TEST_CASE("an encapsulated STL is read back as the meshes that it was made of", 
   const TemporaryFolder folder;
   const std::string path = folder / GENERATE("m.stl.dcm", "M.STL.DCM");
   const TriangleSoup other = sphere(Vec3(10, 20, 30), 4, 1);
-  writeDicomStl({{{}, ball()}, {{}, other}}, {}, {}, path);
+  writeDicomStl({{{}, stlBall()}, {{}, other}}, {}, {}, path);
   CHECK(isMeshInputPath(path));
   CHECK_FALSE(isMeshPath(path));  // it is not written as a mesh alone
   const TriangleSoup back = readMesh(path);
-  REQUIRE(back.points.size() == ball().points.size() + other.points.size());
-  CHECK(back.triangles.size() == ball().triangles.size() + other.triangles.size());
-  CHECK(signedVolume(back) == Approx(signedVolume(ball()) + signedVolume(other)).epsilon(1e-5));
-  CHECK((back.points[0] - ball().points[ball().triangles[0][0]]).norm() < 2e-5);
+  REQUIRE(back.points.size() == stlBall().points.size() + other.points.size());
+  CHECK(back.triangles.size() == stlBall().triangles.size() + other.triangles.size());
+  CHECK(signedVolume(back) == Approx(signedVolume(stlBall()) + signedVolume(other)).epsilon(1e-5));
+  CHECK((back.points[0] - stlBall().points[stlBall().triangles[0][0]]).norm() < 2e-5);
 }
 
 TEST_CASE("encapsulated STL of others is read: in RAS, in other units, with sequences of any kind",
           "[encapsulated]") {
-  const double volume = signedVolume(ball());
+  const double volume = signedVolume(stlBall());
   CHECK(signedVolume(readBack(Encapsulated{}.bytes())) == Approx(volume).epsilon(1e-5));
   Encapsulated ras;
-  ras.document = stl(ball(), CoordinateSpace::ras);
+  ras.document = stl(stlBall(), CoordinateSpace::ras);
   CHECK((readBack(ras.bytes()).points[0] - readBack(Encapsulated{}.bytes()).points[0]).norm() < 1e-4);
   Encapsulated capital;
   capital.type = "Model/STL";
-  CHECK(readBack(capital.bytes()).triangles.size() == ball().triangles.size());
+  CHECK(readBack(capital.bytes()).triangles.size() == stlBall().triangles.size());
   for (const auto& [unit, millimetres] : {std::pair("mm", 1.0), std::pair("cm", 10.0), std::pair("um", 1e-3)})
     for (const bool hasLengths : {true, false}) {
       INFO(unit << " " << hasLengths);

@@ -43,7 +43,7 @@ std::vector<T> values(const nlohmann::json& gltf, std::size_t accessor, std::siz
   return all;
 }
 
-std::vector<ExportedObject> twoObjects() {
+std::vector<ExportedObject> twoInScene() {
   ObjectLabel liver, cyst;
   liver.name = "Left ä liver";
   liver.colour = {255, 0, 128};
@@ -55,7 +55,7 @@ std::vector<ExportedObject> twoObjects() {
 
 TEST_CASE("a glTF scene has the objects with names, colours, points and faces, in metres with y up") {
   const TemporaryFolder folder;
-  const std::vector<ExportedObject> objects = twoObjects();
+  const std::vector<ExportedObject> objects = twoInScene();
   writeGltf(objects, folder / "a.gltf");
   const auto gltf = nlohmann::json::parse(readBytes(folder / "a.gltf"));
   CHECK(gltf.at("asset").at("version") == "2.0");
@@ -90,6 +90,6 @@ TEST_CASE("a glTF scene has the objects with names, colours, points and faces, i
 
 TEST_CASE("a glTF scene that cannot be written leaves nothing") {
   const TemporaryFolder folder;
-  CHECK_THROWS_AS(writeGltf(twoObjects(), folder / "none/a.gltf"), OutputError);
+  CHECK_THROWS_AS(writeGltf(twoInScene(), folder / "none/a.gltf"), OutputError);
   CHECK(folder.fileCount() == 0);
 }

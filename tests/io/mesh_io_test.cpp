@@ -13,7 +13,7 @@ namespace {
 //! Single precision near 200 mm is good to 1.5e-5 mm.
 constexpr double kSingle = 2e-5;
 
-TriangleSoup ball() { return sphere(Vec3(-101.123456789, 57.3, 181.9), 12.34, 4); }
+TriangleSoup roundBall() { return sphere(Vec3(-101.123456789, 57.3, 181.9), 12.34, 4); }
 
 double largestDistance(const TriangleSoup& a, const TriangleSoup& b) {
   double largest = 0;
@@ -40,56 +40,56 @@ TEST_CASE("VTP and OBJ keep every vertex bit for bit and every triangle in order
   const TemporaryFolder folder;
   const std::string path = folder / GENERATE("m.vtp", "m.obj", "M.OBJ");
   const auto space = GENERATE(CoordinateSpace::lps, CoordinateSpace::ras);
-  writeMesh(ball(), path, space);
+  writeMesh(roundBall(), path, space);
   CHECK(folder.fileCount() == 1);
   const TriangleSoup back = readMesh(path);
-  CHECK((back.points == ball().points));
-  CHECK((back.triangles == ball().triangles));
+  CHECK((back.points == roundBall().points));
+  CHECK((back.triangles == roundBall().triangles));
 }
 
 TEST_CASE("PLY keeps vertices and triangles in order, in single precision") {
   const TemporaryFolder folder;
   const auto space = GENERATE(CoordinateSpace::lps, CoordinateSpace::ras);
-  writeMesh(ball(), folder / "m.ply", space);
+  writeMesh(roundBall(), folder / "m.ply", space);
   const TriangleSoup back = readMesh(folder / "m.ply");
-  REQUIRE(back.points.size() == ball().points.size());
-  CHECK(largestDistance(back, ball()) < kSingle);
-  CHECK((back.triangles == ball().triangles));
+  REQUIRE(back.points.size() == roundBall().points.size());
+  CHECK(largestDistance(back, roundBall()) < kSingle);
+  CHECK((back.triangles == roundBall().triangles));
 }
 
 TEST_CASE("STL vertices with equal coordinates are merged to the same closed mesh") {
   const TemporaryFolder folder;
   const auto space = GENERATE(CoordinateSpace::lps, CoordinateSpace::ras);
-  writeMesh(ball(), folder / "m.stl", space);
+  writeMesh(roundBall(), folder / "m.stl", space);
   const TriangleSoup back = readMesh(folder / "m.stl");
-  CHECK(back.points.size() == ball().points.size());
-  CHECK(back.triangles.size() == ball().triangles.size());
-  CHECK(signedVolume(back) == Approx(signedVolume(ball())).epsilon(1e-5));
-  CHECK(area(back) == Approx(area(ball())).epsilon(1e-5));
+  CHECK(back.points.size() == roundBall().points.size());
+  CHECK(back.triangles.size() == roundBall().triangles.size());
+  CHECK(signedVolume(back) == Approx(signedVolume(roundBall())).epsilon(1e-5));
+  CHECK(area(back) == Approx(area(roundBall())).epsilon(1e-5));
 }
 
 TEST_CASE("files say their space, in RAS x and y are turned, and the winding stays outward") {
   const TemporaryFolder folder;
   for (const char* name : {"m.stl", "m.vtp", "m.ply", "m.obj"}) {
     INFO(name);
-    writeMesh(ball(), folder / name, CoordinateSpace::ras);
+    writeMesh(roundBall(), folder / name, CoordinateSpace::ras);
     const std::string bytes = readBytes(folder / name);
     const std::string mark = std::string(name) == "m.vtp" ? "Name=\"SPACE\"" : "SPACE=RAS";
     CHECK(bytes.substr(0, 2000).find(mark) != std::string::npos);
     CHECK(bytes.rfind("solid", 0) != 0);
-    writeMesh(ball(), folder / name, CoordinateSpace::lps);
+    writeMesh(roundBall(), folder / name, CoordinateSpace::lps);
     CHECK(readBytes(folder / name).find("SPACE=RAS") == std::string::npos);
   }
-  writeMesh(ball(), folder / "ras.stl", CoordinateSpace::ras);
+  writeMesh(roundBall(), folder / "ras.stl", CoordinateSpace::ras);
   float x = 0;
   std::memcpy(&x, readBytes(folder / "ras.stl").data() + 96, 4);
-  const double firstX = ball().points[ball().triangles[0][0]].x();
+  const double firstX = roundBall().points[roundBall().triangles[0][0]].x();
   CHECK(static_cast<double>(x) == Approx(-firstX));
   // The same bytes without their mark are read as they stand: turned about z, with a positive volume.
   std::string bytes = readBytes(folder / "ras.stl");
   bytes.replace(bytes.find("SPACE=RAS"), 9, "SPACE=LPS");
   writeBytes(folder / "turned.stl", bytes);
-  CHECK(signedVolume(readMesh(folder / "turned.stl")) == Approx(signedVolume(ball())).epsilon(1e-5));
+  CHECK(signedVolume(readMesh(folder / "turned.stl")) == Approx(signedVolume(roundBall())).epsilon(1e-5));
 }
 
 TEST_CASE("meshes of others are read: text STL and PLY, polygons, relative OBJ corners") {
@@ -130,7 +130,7 @@ TEST_CASE("damaged mesh files are refused with one sentence") {
     expectMeshError(folder / (std::string("empty") + ending), "empty");
     writeBytes(folder / (std::string("text") + ending), "This is a letter, not a mesh.\nfoo bar baz\n");
     expectMeshError(folder / (std::string("text") + ending), "");
-    TriangleSoup bad = ball();
+    TriangleSoup bad = roundBall();
     bad.points[3].x() = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(writeMesh(bad, folder / (std::string("nan") + ending)), OutputError);
     CHECK_FALSE(fs::exists(folder / (std::string("nan") + ending)));

@@ -49,13 +49,13 @@ DicomOrigin noSeries() {
   return origin;
 }
 
-std::string element(unsigned group, unsigned number, const std::string& vr, const std::string& value) {
+std::string segmentElement(unsigned group, unsigned number, const std::string& vr, const std::string& value) {
   DicomText text;
   text.add(group, number, vr, value);
   return text.bytes;
 }
 
-bool holds(const std::string& bytes, const std::string& part) {
+bool holdsPart(const std::string& bytes, const std::string& part) {
   return bytes.find(part) != std::string::npos;
 }
 
@@ -145,16 +145,16 @@ TEST_CASE("codes and algorithms of others come back from both kinds of segmentat
   }
   const std::string dicom = readBytes(folder / "a.seg.dcm"), slicer = readBytes(folder / "a.seg.nrrd");
   // One name each of the automatic one and of ours; a manual one may have none.
-  CHECK(holds(dicom, element(0x62, 0x08, "CS", "MANUAL")));
-  CHECK(holds(dicom, element(0x62, 0x09, "LO", "Net 3, Handlebody")));
+  CHECK(holdsPart(dicom, segmentElement(0x62, 0x08, "CS", "MANUAL")));
+  CHECK(holdsPart(dicom, segmentElement(0x62, 0x09, "LO", "Net 3, Handlebody")));
   const std::string name("\x62\0\x09\0LO", 6);
   CHECK(dicom.find(name, dicom.rfind(name) - 1) == dicom.rfind(name));
   CHECK(dicom.find(name, dicom.find(name) + 1) == dicom.rfind(name));
   CHECK(readDicomLabels(folder / "a.seg.dcm").at(3).source.algorithm == ownAlgorithm());
-  CHECK(holds(slicer,
-              "Segment0_Tags:=DICOM.SegmentAlgorithmName:Net 3, Handlebody|"
-              "DICOM.SegmentAlgorithmType:AUTOMATIC|TerminologyEntry:"));
-  CHECK(holds(slicer, "Segment2_Tags:=TerminologyEntry:"));
+  CHECK(holdsPart(slicer,
+                  "Segment0_Tags:=DICOM.SegmentAlgorithmName:Net 3, Handlebody|"
+                  "DICOM.SegmentAlgorithmType:AUTOMATIC|TerminologyEntry:"));
+  CHECK(holdsPart(slicer, "Segment2_Tags:=TerminologyEntry:"));
 }
 
 TEST_CASE("what an object is called in codes goes from its file into the next, name by name", "[labels]") {
@@ -245,7 +245,7 @@ TEST_CASE("what is to name nobody leaves out an algorithm's name and private cod
   const TemporaryFolder folder;
   auto objects = threeObjects();
   writeDicomSegmentation(thirds(), objects, noSeries(), {{}, {}, true}, folder / "a.seg.dcm");
-  CHECK_FALSE(holds(readBytes(folder / "a.seg.dcm"), "Net 3"));
+  CHECK_FALSE(holdsPart(readBytes(folder / "a.seg.dcm"), "Net 3"));
   const FileLabels said = readDicomLabels(folder / "a.seg.dcm");
   CHECK(said.at(1).source.terminology == leftKidney());
   CHECK(said.at(1).source.algorithm == SegmentAlgorithm{AlgorithmType::automatic, "Handlebody"});
@@ -282,8 +282,8 @@ TEST_CASE("a session keeps codes and algorithm, and says nothing of them where t
   writeSession(session, path);
   const std::string plain = readBytes(path);
   CHECK(readSession(path).label == session.label);
-  CHECK_FALSE(holds(plain, "terminology"));
-  CHECK_FALSE(holds(plain, "algorithm"));
+  CHECK_FALSE(holdsPart(plain, "terminology"));
+  CHECK_FALSE(holdsPart(plain, "algorithm"));
   for (const ExportedObject& object : threeObjects()) {
     session.label = object.label;
     writeSession(session, path);

@@ -55,7 +55,7 @@ bool isToldByKinds(const Finding& finding) {
 }
 
 //! In one line that begins with the path, ends with the cause, and has a kind.
-void expectRefused(const std::string& bytes, FindingKind kind, const std::string& cause) {
+void expectRefusedPrint(const std::string& bytes, FindingKind kind, const std::string& cause) {
   const TemporaryFolder folder;
   const std::string path = folder / "m.3mf";
   writeBytes(path, bytes);
@@ -78,10 +78,10 @@ void expectRefused(const std::string& bytes, FindingKind kind, const std::string
 }
 
 void expectModelRefused(const std::string& xml, FindingKind kind, const std::string& cause) {
-  expectRefused(archiveOfModel(xml), kind, cause);
+  expectRefusedPrint(archiveOfModel(xml), kind, cause);
 }
 
-std::vector<ExportedObject> twoObjects() {
+std::vector<ExportedObject> twoInPrint() {
   ObjectLabel second;
   second.name = "Second";
   return {{{}, sphere(Vec3(-101.123456789, 57.3, 181.9), 12.34, 3)},
@@ -94,7 +94,7 @@ using K = FindingKind;
 
 TEST_CASE("what is written as 3MF is read back: every object, in single precision to the last bit, as LPS") {
   const TemporaryFolder folder;
-  const auto objects = twoObjects();
+  const auto objects = twoInPrint();
   const auto space = GENERATE(CoordinateSpace::lps, CoordinateSpace::ras);
   const std::string path = folder / GENERATE("m.3mf", "M.3MF");
   writeThreeMf(objects, path, space);
@@ -217,7 +217,7 @@ TEST_CASE(
   REQUIRE(read.points.size() == 8);
   CHECK(read.points[1] == Vec3(17, 0, 0));
   CHECK(read.points[5] == Vec3(10, 0, 0));
-  expectRefused(archiveOf({{"3D/3dmodel.model", root}}), K::damagedBecause, "3D/a.model is missing");
+  expectRefusedPrint(archiveOf({{"3D/3dmodel.model", root}}), K::damagedBecause, "3D/a.model is missing");
 }
 
 TEST_CASE("what 3MF has besides the core is ignored, unless the file says that it cannot be read without") {
@@ -315,30 +315,30 @@ TEST_CASE("XML that is damaged or hostile is refused with its line, before anyth
 }
 
 TEST_CASE("what is no 3MF package is refused") {
-  expectRefused("This is a letter.\n", K::notOfFormat, "it is not a 3MF file");
-  expectRefused(archiveOf({{"word/document.xml", "<a/>"}}), K::notOfFormat, "it is not a 3MF file");
+  expectRefusedPrint("This is a letter.\n", K::notOfFormat, "it is not a 3MF file");
+  expectRefusedPrint(archiveOf({{"word/document.xml", "<a/>"}}), K::notOfFormat, "it is not a 3MF file");
   const std::string relationships =
       "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\"><Relationship "
       "Target=\"/3D/no\nsuch.model\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
       "</Relationships>";
-  expectRefused(archiveOf({{"_rels/.rels", relationships}, {"3D/3dmodel.model", tetrahedronWith("")}}),
-                K::damagedBecause, "3D/no such.model is missing");
-  expectRefused(archiveOf({{"_rels/.rels", "<Relationships>"}}), K::damagedBecause, "of _rels/.rels");
+  expectRefusedPrint(archiveOf({{"_rels/.rels", relationships}, {"3D/3dmodel.model", tetrahedronWith("")}}),
+                     K::damagedBecause, "3D/no such.model is missing");
+  expectRefusedPrint(archiveOf({{"_rels/.rels", "<Relationships>"}}), K::damagedBecause, "of _rels/.rels");
 }
 
 TEST_CASE("an encrypted 3MF file says so, and one packed in a way that 3MF does not know is refused") {
-  expectRefused(archiveOf({{"3D/3dmodel.model", tetrahedronWith(""), ZIP_CM_DEFLATE, true}}),
-                K::encryptedFile, "it is encrypted");
+  expectRefusedPrint(archiveOf({{"3D/3dmodel.model", tetrahedronWith(""), ZIP_CM_DEFLATE, true}}),
+                     K::encryptedFile, "it is encrypted");
   if (zip_compression_method_supported(ZIP_CM_BZIP2, 1))
-    expectRefused(archiveOf({{"3D/3dmodel.model", tetrahedronWith(""), ZIP_CM_BZIP2}}), K::damagedBecause,
-                  "the compression of 3D/3dmodel.model");
+    expectRefusedPrint(archiveOf({{"3D/3dmodel.model", tetrahedronWith(""), ZIP_CM_BZIP2}}),
+                       K::damagedBecause, "the compression of 3D/3dmodel.model");
 }
 
 TEST_CASE("a 3MF file that unpacks to a hundred times its size and more is refused once that takes long") {
   std::string xml = tetrahedronWith("");
   xml.insert(xml.find("<resources>"), std::string(std::size_t{70} << 20, ' '));
-  expectRefused(archiveOf({{"3D/3dmodel.model", xml, ZIP_CM_DEFLATE}}), K::damagedBecause,
-                "the size of 3D/3dmodel.model");
+  expectRefusedPrint(archiveOf({{"3D/3dmodel.model", xml, ZIP_CM_DEFLATE}}), K::damagedBecause,
+                     "the size of 3D/3dmodel.model");
 }
 
 TEST_CASE("sizes that no archive of this length can hold are refused before they are unpacked") {
@@ -347,11 +347,11 @@ TEST_CASE("sizes that no archive of this length can hold are refused before they
   for (const std::uint32_t size : {0x7fffffffu, 0xfffffff0u, 5u}) {
     std::string bytes = whole;
     patch(bytes, central + 24, size);  // unpacked
-    expectRefused(bytes, K::damagedBecause, "the size of 3D/3dmodel.model");
+    expectRefusedPrint(bytes, K::damagedBecause, "the size of 3D/3dmodel.model");
   }
   std::string bytes = whole;
   patch(bytes, central + 20, 0x7fffffffu);  // packed
-  expectRefused(bytes, K::damagedBecause, "the size of 3D/3dmodel.model");
+  expectRefusedPrint(bytes, K::damagedBecause, "the size of 3D/3dmodel.model");
 }
 
 TEST_CASE(
@@ -367,7 +367,7 @@ TEST_CASE(
   std::string stored = archiveOfModel(tetrahedronWith(""));
   const std::size_t digit = stored.find("x=\"1\"") + 3;
   stored[digit] = '2';
-  expectRefused(stored, K::truncatedOrDamagedFor, "CRC error");
+  expectRefusedPrint(stored, K::truncatedOrDamagedFor, "CRC error");
 }
 
 TEST_CASE("changed bytes and changed XML in 3MF files are refused or read, never a crash") {
@@ -391,7 +391,7 @@ TEST_CASE("changed bytes and changed XML in 3MF files are refused or read, never
 TEST_CASE("a mesh with a coordinate that single precision cannot hold is not written as 3MF") {
   const TemporaryFolder folder;
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e39}) {
-    std::vector<ExportedObject> objects = twoObjects();
+    std::vector<ExportedObject> objects = twoInPrint();
     objects[1].mesh.points[3].x() = bad;
     CHECK_THROWS_AS(writeThreeMf(objects, folder / "m.3mf"), OutputError);
   }

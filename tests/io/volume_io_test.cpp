@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 #include <zlib.h>
 
+#include "core/io/formats/sha256.h"
 #include "tests/io/io_test_support.h"
 
 using namespace handlebody;
@@ -78,7 +79,7 @@ double peakOfReading(const std::string& path) {
     const double before = peak();
     const Volume volume = readVolume(path);
     const double growth = volume.voxels ? peak() - before : -1;
-    const bool sent = write(ends[1], &growth, sizeof growth) == sizeof growth;
+    const bool sent = ::write(ends[1], &growth, sizeof growth) == sizeof growth;
     _exit(sent ? 0 : 1);
   }
   double growth = -1;
@@ -405,4 +406,25 @@ TEST_CASE("SHA-256 of a file and of a folder agree with the standard's examples"
   writeBytes(folder / "a", "");
   CHECK(sha256OfPath(folder / "a") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   CHECK_THROWS_AS(sha256OfPath(folder / "missing"), InputError);
+}
+
+TEST_CASE("the hash of a detached header is of the voxels, too, and that of a header alone is still known") {
+  const TemporaryFolder folder;
+  writeBytes(folder / "v.raw", "12345678");
+  const auto name = GENERATE(as<std::string>{}, "v.nhdr", "v.mhd");
+  const std::string text = name == "v.nhdr"
+                               ? nrrdHeader("uint8", "2 2 2", "data file: v.raw\n")
+                               : "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 2 2 2\n"
+                                 "ElementType = MET_UCHAR\nElementDataFile = v.raw\n";
+  writeBytes(folder / name, text);
+  REQUIRE(readVolume(folder / name).grid.size == std::array<int, 3>{2, 2, 2});
+  const PathHash before = hashOfPath(folder / name);
+  CHECK(before.whole == sha256OfText(text + "12345678"));
+  CHECK(before.header == sha256OfText(text));
+  writeBytes(folder / "v.raw", "12345679");
+  const PathHash after = hashOfPath(folder / name);
+  CHECK_FALSE(after.is(before.whole));
+  CHECK(after.is(before.header));
+  writeBytes(folder / "whole.nrrd", nrrdHeader("uint8", "2 2 2", "") + "12345678");
+  CHECK(hashOfPath(folder / "whole.nrrd").header.empty());
 }

@@ -343,7 +343,7 @@ class Document : public QObject {
   //! Of the mesh files: what the last one was written in; a session keeps it.
   CoordinateSpace space() const;
   //! Mesh or label map by extension, of the shown iteration, written on a worker thread: exporting(), then
-  //! exported(), exportFailed() or exportCancelled().
+  //! exported(), exportFailed() or exportCancelled(); or exportRefused() at once.
   void exportResult(const QString& path, CoordinateSpace space, const DicomContent& content = {});
   //! The same of all objects that have a surface, in one file; not if two of them meet.
   void exportObjects(const QString& path, CoordinateSpace space, const DicomContent& content = {});
@@ -418,6 +418,7 @@ class Document : public QObject {
   void exportCancelled(const QString& path);
   void exported(const QString& path);
   void exportFailed(const QString& sentence);
+  void exportRefused(const QString& sentence);  //!< nothing was begun: exporting() was not told
   void sessionSaved(const QString& path);
   void saveFailed(const QString& sentence);
   void modifiedChanged();

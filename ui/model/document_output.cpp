@@ -21,12 +21,11 @@
 #include "core/version.h"
 #include "ui/model/document_private.h"
 #include "ui/model/error_sentence.h"
+#include "ui/model/file_name.h"
 
 namespace handlebody::ui {
 
 namespace {
-
-std::string fileName(const QString& path) { return QFile::encodeName(path).toStdString(); }
 
 //! Does `job`; its error as a sentence, or nothing.
 template <typename Job>
@@ -143,9 +142,9 @@ void Document::Private::readView() {
 void Document::exportResult(const QString& path, CoordinateSpace space, const DicomContent& content) {
   const auto shown = snapshot();
   if (!shown)
-    Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
+    Q_EMIT exportRefused(tr("There is no surface to export yet: grow one first."));
   else if (shown->mesh.triangles.empty())
-    Q_EMIT exportFailed(
+    Q_EMIT exportRefused(
         tr("Nothing is left of the surface at this iteration: step back to one that has some."));
   else
     d_->exportFiles(path, space, content, {activeObject()});
@@ -156,7 +155,7 @@ void Document::exportObjects(const QString& path, CoordinateSpace space, const D
   for (int i = 0; i < objectCount(); ++i)
     if (finishedMesh(i)) which.push_back(i);
   if (which.empty())
-    Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
+    Q_EMIT exportRefused(tr("There is no surface to export yet: grow one first."));
   else
     d_->exportFiles(path, space, content, which);
 }
@@ -172,7 +171,7 @@ QStringList Document::objectPaths(const QString& path, const QString& extension,
 void Document::exportEachObject(const QString& path, const QString& extension, CoordinateSpace space,
                                 const DicomContent& content) {
   if (objectPaths(path, extension, content.anonymous).isEmpty())
-    Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
+    Q_EMIT exportRefused(tr("There is no surface to export yet: grow one first."));
   else
     d_->exportEach(path, extension, space, content);
 }
@@ -250,7 +249,7 @@ QString Document::Private::inputFault(const QString& path) const {
 
 void Document::Private::write(const QString& path, std::function<QString()> job) {
   if (const QString fault = inputFault(path); !fault.isEmpty()) {
-    Q_EMIT q.exportFailed(fault);
+    Q_EMIT q.exportRefused(fault);
     return;
   }
   files.post([this, path, stop = exporting.begin(), job = std::move(job)] {
@@ -338,12 +337,12 @@ std::function<void(const std::string&)> Document::Private::polishing() {
 
 void Document::exportReport(const QString& path, bool isAnonymous) {
   if (d_->corrected.isOpen()) {
-    Q_EMIT exportFailed(tr("A frame is being corrected: end that first."));
+    Q_EMIT exportRefused(tr("A frame is being corrected: end that first."));
     return;
   }
   const auto made = hasVolume() ? d_->pendingReports(isAnonymous) : std::vector<PendingReport>();
   if (made.empty())
-    Q_EMIT exportFailed(tr("There is no surface to report on yet: grow one first."));
+    Q_EMIT exportRefused(tr("There is no surface to report on yet: grow one first."));
   else
     d_->exportReport(path, made, isAnonymous);
 }
@@ -413,7 +412,7 @@ void Document::saveSession(const QString& path) {
 
 void Document::exportAnonymousSession(const QString& path) {
   if (const QString fault = sessionFault(); !fault.isEmpty())
-    Q_EMIT exportFailed(fault);
+    Q_EMIT exportRefused(fault);
   else
     d_->exportAnonymousSession(path);
 }

@@ -193,7 +193,7 @@ OverTimeReport Document::Private::overTimeReport() const { return time.report();
 
 void Document::exportFrames(const QString& path, CoordinateSpace space) {
   if (!isCarriedCurrent() || d_->time.isCarrying()) {
-    Q_EMIT exportFailed(
+    Q_EMIT exportRefused(
         tr("There are no surfaces over time of what is shown: carry it through the frames first."));
     return;
   }

@@ -124,8 +124,6 @@ constexpr Words kWords[] = {
                        "it holds {series:0f} series or stacks, choose one in step 1, Open: {choices}")},
     {K::startAndGiven,
      QT_TRANSLATE_NOOP("Findings", "an object begins with one surface or is one, not both.")},
-    {K::jsonUnexpected,
-     QT_TRANSLATE_NOOP("Findings", "something in it is not what it should be ({reason}).")},
     {K::noLatticePoint,
      QT_TRANSLATE_NOOP("Findings", "No point of the lattice lies in A or B: there is no Dice coefficient.")},
 };

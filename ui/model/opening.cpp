@@ -14,13 +14,20 @@
 #include "core/io/report/wall_map.h"
 #include "core/told_error.h"
 #include "ui/model/error_sentence.h"
+#include "ui/model/file_name.h"
 
 namespace handlebody::ui {
 
 namespace {
 
-void verifyHash(const VolumeReference& reference) {
-  if (reference.sha256.empty() || reference.sha256 == sha256OfPath(reference.path)) return;
+//! As it is to be kept from now on.
+void verifyHash(VolumeReference& reference) {
+  if (reference.sha256.empty()) return;
+  const PathHash hash = hashOfPath(reference.path);
+  if (hash.is(reference.sha256)) {
+    reference.sha256 = hash.whole;
+    return;
+  }
   throw Told<InputError>(Finding(FindingKind::volumeChanged, {{"file", reference.path}}));
 }
 
@@ -35,8 +42,6 @@ TimeAxis timesOf(const OpenedWork& work) {
     return {};
   }
 }
-
-std::string fileName(const QString& path) { return QFile::encodeName(path).toStdString(); }
 
 //! Names what the sessions do not, as far as `files` go. Returns what is to be asked for next.
 std::optional<FileNeeded> nameFiles(std::vector<Session>& sessions, const QStringList& files) {

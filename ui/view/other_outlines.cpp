@@ -10,8 +10,8 @@
 namespace handlebody::ui {
 
 namespace {
-const QColor kShadow(0, 0, 0, 110);
-constexpr double kWidth = 1.4;  // pixels, thinner than the active one's
+const QColor kOutlineShadow(0, 0, 0, 110);
+constexpr double kOtherWidth = 1.4;  // pixels, thinner than the active one's
 }  // namespace
 
 QColor colourOf(const Document& document, int object) {
@@ -28,7 +28,7 @@ bool isActiveVisible(const Document& document) {
 }
 
 void paintSegments(QPainter& painter, const QVector<QLineF>& lines, const QColor& colour, double width) {
-  painter.setPen(QPen(kShadow, 2 * width, Qt::SolidLine, Qt::FlatCap));
+  painter.setPen(QPen(kOutlineShadow, 2 * width, Qt::SolidLine, Qt::FlatCap));
   painter.drawLines(lines);
   painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
   painter.drawLines(lines);
@@ -58,7 +58,7 @@ void OtherOutlines::paint(QPainter& painter, const Document& document, const Sli
     QVector<QLineF> lines;
     for (const auto& [from, to] : cut.section)
       lines.append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
-    paintSegments(painter, lines, colourOf(document, i), kWidth);
+    paintSegments(painter, lines, colourOf(document, i), kOtherWidth);
   }
 }
 

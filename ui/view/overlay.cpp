@@ -13,7 +13,7 @@
 namespace handlebody::ui {
 namespace {
 
-const QColor kRim(0, 0, 0, 150), kTextRim(0, 0, 0, 235);
+const QColor kLineRim(0, 0, 0, 150), kTextRim(0, 0, 0, 235);
 
 QRectF textRect(const QPointF& place, Qt::Alignment flags, const QSizeF& size) {
   QPointF corner = place;
@@ -47,8 +47,8 @@ QFont overlayFont(double factor, bool bold) {
 
 namespace {
 
-constexpr qsizetype kKeptTexts = 4'000'000;   // bytes
-constexpr double kRimWidth = 4, kAround = 3;  // pixels; the room around a text that its rim takes
+constexpr qsizetype kKeptTexts = 4'000'000;       // bytes
+constexpr double kLineRimWidth = 4, kAround = 3;  // pixels; the room around a text that its rim takes
 
 QImage drawText(const QString& text, const QFont& font, const QColor& colour, const QSizeF& size,
                 double ratio) {
@@ -61,7 +61,7 @@ QImage drawText(const QString& text, const QFont& font, const QColor& colour, co
   const QPointF baseline(kAround, kAround + QFontMetricsF(font, &picture).ascent());
   QPainterPath outline;
   outline.addText(baseline, font, text);
-  painter.strokePath(outline, QPen(kTextRim, kRimWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.strokePath(outline, QPen(kTextRim, kLineRimWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setFont(font);
   painter.setPen(colour);
   painter.drawText(baseline, text);
@@ -95,7 +95,7 @@ void paintKey(QPainter& painter, const QPointF& place, const QColor& colour, con
   const QFont font = overlayFont(0.95);
   const double side = QFontMetricsF(font).ascent() * 0.8;
   const QRectF swatch(place.x(), place.y() - side / 2, side, side);
-  painter.fillRect(swatch.adjusted(-1, -1, 1, 1), kRim);
+  painter.fillRect(swatch.adjusted(-1, -1, 1, 1), kLineRim);
   painter.fillRect(swatch, colour);
   paintText(painter, {swatch.right() + 6, place.y()}, Qt::AlignLeft | Qt::AlignVCenter, text, font);
 }
@@ -117,7 +117,7 @@ void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel) {
   constexpr double kThickness = 3;
   const QRectF bar(size.width() - kOverlayMargin - pixels, size.height() - kOverlayMargin - kThickness,
                    pixels, kThickness);
-  painter.fillRect(bar.adjusted(-1, -1, 1, 1), kRim);
+  painter.fillRect(bar.adjusted(-1, -1, 1, 1), kLineRim);
   painter.fillRect(bar, QColor(0xe8, 0xec, 0xf0));
   const QString number = QLocale().toString(length, 'f', QLocale::FloatingPointShortest);
   paintText(painter, {bar.right(), bar.top() - 2}, Qt::AlignRight | Qt::AlignBottom,

@@ -6,17 +6,17 @@
 namespace handlebody::ui {
 namespace {
 
-constexpr double kReach = 6;         // pixels within which the mouse has hold of something
+constexpr double kSeedReach = 6;     // pixels within which the mouse has hold of something
 constexpr double kSmallCircle = 18;  // pixels: below, there is no room for a crosshair inside
-const QColor kSeed(0x4f, 0xc3, 0xf7), kOutside(0xff, 0x7a, 0x1a), kSelected(0xff, 0xff, 0xff),
-    kShadow(0, 0, 0, 140);
+const QColor kSeed(0x4f, 0xc3, 0xf7), kOutsideSeed(0xff, 0x7a, 0x1a), kSelectedSeed(0xff, 0xff, 0xff),
+    kSeedShadow(0, 0, 0, 140);
 
 SeedGrab::Part partAt(const SeedCircle& circle, const QPointF& pixel) {
   const double distance = QLineF(circle.centre, pixel).length();
-  if (distance <= std::min(kReach, circle.radius / 2)) return SeedGrab::Part::centre;
-  if (std::abs(distance - circle.radius) <= kReach) return SeedGrab::Part::rim;
+  if (distance <= std::min(kSeedReach, circle.radius / 2)) return SeedGrab::Part::centre;
+  if (std::abs(distance - circle.radius) <= kSeedReach) return SeedGrab::Part::rim;
   const bool inSmall = circle.radius < kSmallCircle && distance < circle.radius;
-  return inSmall || distance <= kReach ? SeedGrab::Part::centre : SeedGrab::Part::none;
+  return inSmall || distance <= kSeedReach ? SeedGrab::Part::centre : SeedGrab::Part::none;
 }
 
 void paintRing(QPainter& painter, const SeedCircle& circle, const QPen& pen) {
@@ -26,7 +26,7 @@ void paintRing(QPainter& painter, const SeedCircle& circle, const QPen& pen) {
 }
 
 void paintDot(QPainter& painter, const SeedCircle& circle, const QColor& colour, double radius) {
-  painter.setPen(QPen(kShadow, 1));
+  painter.setPen(QPen(kSeedShadow, 1));
   painter.setBrush(colour);
   painter.drawEllipse(circle.centre, radius, radius);
 }
@@ -41,11 +41,11 @@ void paintCross(QPainter& painter, const SeedCircle& circle, const QPen& pen) {
 
 // The cross keeps its colour when it is selected: white alone would be a seed at first sight.
 void paintCircle(QPainter& painter, const SeedCircle& circle, bool selected) {
-  const QColor own = circle.outside ? kOutside : kSeed, colour = selected ? kSelected : own;
+  const QColor own = circle.outside ? kOutsideSeed : kSeed, colour = selected ? kSelectedSeed : own;
   const double width = selected ? 2.4 : 1.6;
-  paintRing(painter, circle, QPen(kShadow, width + 2));
+  paintRing(painter, circle, QPen(kSeedShadow, width + 2));
   if (circle.outside) {
-    paintCross(painter, circle, QPen(kShadow, width + 2));
+    paintCross(painter, circle, QPen(kSeedShadow, width + 2));
     paintCross(painter, circle, QPen(own, width));
   }
   paintRing(painter, circle, QPen(colour, width));
@@ -54,7 +54,7 @@ void paintCircle(QPainter& painter, const SeedCircle& circle, bool selected) {
 
 }  // namespace
 
-QColor outsideColour() { return kOutside; }
+QColor outsideColour() { return kOutsideSeed; }
 
 std::vector<SeedCircle> seedCircles(const SliceGeometry& geometry, const std::vector<Vec3>& centres,
                                     const std::vector<double>& radii) {

@@ -10,7 +10,7 @@
 namespace handlebody::ui {
 namespace {
 
-constexpr double kRim = 1.04;                      // of the slice's extent: its border is seen
+constexpr double kRoomAround = 1.04;               // of the slice's extent: its border is seen
 constexpr double kNearest = 0.02, kFarthest = 10;  // voxel edges per pixel
 
 double sizeOf(const Grid& grid, int axis) { return grid.size[axis]; }
@@ -48,8 +48,8 @@ void SliceGeometry::resize(const QSizeF& size) {
 void SliceGeometry::fit() {
   const double width = sizeOf(grid_, axes_.across) * grid_.spacing[axes_.across];
   const double height = sizeOf(grid_, axes_.down) * grid_.spacing[axes_.down];
-  mmPerPixel_ =
-      kRim * std::max({width / std::max(1.0, size_.width()), height / std::max(1.0, size_.height()), 1e-9});
+  mmPerPixel_ = kRoomAround * std::max({width / std::max(1.0, size_.width()),
+                                        height / std::max(1.0, size_.height()), 1e-9});
   for (int a = 0; a < 3; ++a) centre_[a] = (sizeOf(grid_, a) - 1) / 2;
   centre_[axes_.normal] = slice_;
   fitted_ = true;

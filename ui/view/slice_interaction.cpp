@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kZoomPixels = 150;  // of a drag that zooms by a factor of e
 constexpr double kZoomNotch = 1.2;
-constexpr double kReach = 14;  // pixels from the outline at which a pull takes hold of it
-constexpr int kNotch = 120;    // Qt's angle of one notch of a wheel
+constexpr double kClickReach = 14;  // pixels from the outline at which a pull takes hold of it
+constexpr int kNotch = 120;         // Qt's angle of one notch of a wheel
 
 //! Half black, half white, as on a monitor's contrast knob.
 QCursor contrastCursor() {
@@ -161,7 +161,7 @@ std::optional<Vec3> SliceInteraction::brushPlace(const QPointF& pixel) const {
 std::optional<Vec3> SliceInteraction::nearestOfOutline(const QPointF& pixel) const {
   if (!outline_) return std::nullopt;
   const Vec3 place = geometry_.toWorld(pixel);
-  double least = kReach * geometry_.mmPerPixel();
+  double least = kClickReach * geometry_.mmPerPixel();
   std::optional<Vec3> nearest;
   for (const auto& [from, to] : outline_()) {
     const Vec3 on = closestPoint(place, {from, to, to});

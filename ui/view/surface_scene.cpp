@@ -24,8 +24,8 @@
 namespace handlebody::ui {
 namespace {
 
-const QColor kMaterial(0xed, 0xbd, 0x70), kSeedBall(0x4f, 0xc3, 0xf7), kHandle(0x3d, 0xc9, 0x7c);
-const QColor kColliding(0xf0, 0x3e, 0x3e), kAround(0xb9, 0xc3, 0xd0);
+const QColor kMaterial(0xed, 0xbd, 0x70), kSeedBall(0x4f, 0xc3, 0xf7), kHandleColour(0x3d, 0xc9, 0x7c);
+const QColor kColliding(0xf0, 0x3e, 0x3e), kAroundColour(0xb9, 0xc3, 0xd0);
 
 constexpr double kThroughAll = -66000;  // units of depth, of 65,000 that there are
 constexpr double kWallOpacity = 0.5;
@@ -140,14 +140,14 @@ void addLight(vtkRenderer* renderer, const Vec3& from, double intensity) {
 QColor plainMaterial() { return kMaterial; }
 
 QColor faceStateColour(int state) {
-  static const QColor colours[] = {{0xf2, 0xa8, 0x3b}, {0x8f, 0xa6, 0xbf}, kHandle, kColliding};
+  static const QColor colours[] = {{0xf2, 0xa8, 0x3b}, {0x8f, 0xa6, 0xbf}, kHandleColour, kColliding};
   return colours[state];
 }
 
 QColor faceSupportColour(FaceSupport support) {
   return support == FaceSupport::none   ? unsupportedColour()
          : support == FaceSupport::edge ? kMaterial
-                                        : kAround;
+                                        : kAroundColour;
 }
 
 struct SurfaceScene::Private {
@@ -205,9 +205,9 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
   const QColor outside = outsideColour();
   d_->outside.setColour(outside.redF(), outside.greenF(), outside.blueF());
   d_->outside.actor->GetProperty()->RenderLinesAsTubesOn();
-  d_->around.setColour(kAround);
+  d_->around.setColour(kAroundColour);
   d_->red.setColour(kColliding);
-  d_->handle.setColour(kHandle);
+  d_->handle.setColour(kHandleColour);
   d_->loops.setColour(1, 0.75, 0.15);
   d_->loops.actor->GetProperty()->RenderLinesAsTubesOn();  // core OpenGL has no wide lines
   d_->lambda.setColour(1, 1, 1);

@@ -18,8 +18,8 @@ namespace handlebody::ui {
 
 namespace {
 
-const QColor kRim(0xf4, 0xb8, 0xff);
-constexpr double kOpacity = 0.5, kRimWidth = 1.6, kDiscWidth = 3;  // pixels
+const QColor kPaintRim(0xf4, 0xb8, 0xff);
+constexpr double kOpacity = 0.5, kWallRimWidth = 1.6, kDiscWidth = 3;  // pixels
 
 std::vector<WallBall> shownBalls(const WallList& walls, const Brush& brush) {
   if (brush.stroke().empty() || !brush.isForWalls()) return walls.balls;
@@ -45,7 +45,7 @@ void paintWholeDisc(QPainter& painter, const SliceGeometry& geometry, const Wall
   }
   QColor fill = wallColour();
   fill.setAlphaF(static_cast<float>(kOpacity));
-  painter.setPen(QPen(wallColour(), kRimWidth));
+  painter.setPen(QPen(wallColour(), kWallRimWidth));
   painter.setBrush(fill);
   painter.drawPolygon(rim);
 }
@@ -93,11 +93,11 @@ void WallOverlay::draw(const std::vector<WallBall>& balls, const SliceGeometry& 
   painter.setPen(Qt::NoPen);
   painter.setBrush(wallColour());
   for (const SeedCircle& c : circles) {
-    const double inner = std::max(0.5, c.radius - kRimWidth);
+    const double inner = std::max(0.5, c.radius - kWallRimWidth);
     painter.drawEllipse(c.centre, inner, inner);
   }
   painter.setCompositionMode(QPainter::CompositionMode_DestinationOver);
-  painter.setBrush(kRim);
+  painter.setBrush(kPaintRim);
   for (const SeedCircle& c : circles) painter.drawEllipse(c.centre, c.radius, c.radius);
 }
 

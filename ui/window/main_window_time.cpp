@@ -14,7 +14,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kUsualHeight = 310;  // pixels, of the panel when it is shown first
+constexpr int kUsualFrameHeight = 310;  // pixels, of the panel when it is shown first
 
 }  // namespace
 
@@ -33,8 +33,8 @@ void MainWindow::showOverTime() {
   const bool isFirst = overTimeDock_->isHidden();
   overTimeDock_->show();
   overTimeDock_->raise();
-  if (isFirst && timelineDock_->height() < kUsualHeight && !overTimeDock_->isFloating())
-    resizeDocks({overTimeDock_}, {kUsualHeight}, Qt::Vertical);
+  if (isFirst && timelineDock_->height() < kUsualFrameHeight && !overTimeDock_->isFloating())
+    resizeDocks({overTimeDock_}, {kUsualFrameHeight}, Qt::Vertical);
 }
 
 void MainWindow::connectTimeCommands() {

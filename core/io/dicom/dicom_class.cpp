@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t kClass = 0x00080016u;
-constexpr std::size_t kPreamble = 128, kBeginning = 4096;  // bytes; the class is one of the first elements
+constexpr std::size_t kBeginning = 4096;  // bytes; the class is one of the first elements
 
 }  // namespace
 
@@ -35,7 +35,7 @@ std::string firstBytes(const std::string& path, std::size_t most) {
 //! What the data set says counts; one that nobody can read here (deflated) is known by what stands before it.
 std::string dicomClassOf(const std::string& path) {
   const std::string bytes = firstBytes(path, kBeginning);
-  if (bytes.size() < kPreamble + 4 || bytes.compare(kPreamble, 4, "DICM") != 0) return {};
+  if (bytes.size() < kDicomPreamble + 4 || bytes.compare(kDicomPreamble, 4, "DICM") != 0) return {};
   const DicomElements file(bytes);
   const DicomBeginning beginning = file.beginning();
   std::string found = beginning.mediaClass;

@@ -126,11 +126,11 @@ std::string newUid() {
 }
 
 std::string decimal(double value) {
-  constexpr std::size_t kLongest = 16;
+  constexpr std::size_t kLongestDecimal = 16;
   std::array<char, 40> text{};
   if (std::abs(value) < 1e-12) value = 0;  // mm, or of a direction: nothing
   auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  for (int digits = 16; end - text.data() > static_cast<std::ptrdiff_t>(kLongest); --digits)
+  for (int digits = 16; end - text.data() > static_cast<std::ptrdiff_t>(kLongestDecimal); --digits)
     end =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
   return {text.data(), end};

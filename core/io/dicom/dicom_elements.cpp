@@ -8,8 +8,7 @@ namespace handlebody {
 namespace {
 
 constexpr std::uint32_t kMediaClass = 0x00020002u, kTransferSyntax = 0x00020010u;
-constexpr std::uint64_t kPreamble = 128;  // bytes, before "DICM"
-constexpr int kDeepest = 32;              // sequences within sequences; real files have a handful
+constexpr int kDeepestSequence = 32;  // sequences within sequences; real files have a handful
 
 //! Values are padded to even lengths, UIDs by a zero.
 std::string withoutPadding(std::string_view value) {
@@ -80,7 +79,8 @@ bool DicomElements::skipSequence(std::uint64_t& at, bool isExplicit, int depth) 
 
 bool DicomElements::skipValue(const DicomElement& e, std::uint64_t& at, bool isExplicit, int depth) const {
   at = e.data;
-  if (!e.hasLength()) return depth < kDeepest && skipSequence(at, isExplicit && !e.unknown, depth + 1);
+  if (!e.hasLength())
+    return depth < kDeepestSequence && skipSequence(at, isExplicit && !e.unknown, depth + 1);
   at += e.length;
   return at <= size();
 }
@@ -92,7 +92,7 @@ bool DicomElements::skip(const DicomElement& e, std::uint64_t& at, bool isExplic
 //! Group 2 is always explicit and little-endian.
 DicomBeginning DicomElements::beginning() const {
   DicomBeginning b;
-  if (size() >= kPreamble + 4 && bytes_.substr(kPreamble, 4) == "DICM") b.at = kPreamble + 4;
+  if (size() >= kDicomPreamble + 4 && bytes_.substr(kDicomPreamble, 4) == "DICM") b.at = kDicomPreamble + 4;
   DicomElement e;
   while (read(b.at, true, e) && e.tag >> 16 == 2) {
     if (!skip(e, b.at, true)) return b;

@@ -2,11 +2,14 @@
 // Internal: the elements of little-endian DICOM in memory, bounds checked. No library, so it may look at
 // bytes that nobody has checked, in any process.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace handlebody {
+
+inline constexpr std::size_t kDicomPreamble = 128;  //!< bytes, before "DICM"
 
 struct DicomElement {
   std::uint32_t tag = 0;     //!< group and element

@@ -92,8 +92,8 @@ void Maker::pack(const std::vector<Uint8>& pixels) {
 
 void Maker::write(DcmDataset& data) {
   check(document_->writeDataset(data));
-  constexpr std::size_t kLongest = 0xfffffffe;  // of a DICOM element
-  if (bits_.size() > kLongest) refuseOutput(path_, FindingKind::dicomTooLarge);
+  constexpr std::size_t kLongestElement = 0xfffffffe;  // of a DICOM element
+  if (bits_.size() > kLongestElement) refuseOutput(path_, FindingKind::dicomTooLarge);
   if (bits_.size() % 2) bits_.push_back(0);
   check(data.putAndInsertUint8Array(DCM_PixelData, bits_.data(), static_cast<unsigned long>(bits_.size())));
 }

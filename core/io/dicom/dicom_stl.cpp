@@ -92,8 +92,8 @@ void writeDicomStl(const std::vector<ExportedObject>& objects, const DicomOrigin
                    const DicomContent& content, const std::string& path) {
   dicom::checkExport(origin, content, path);
   std::string stl = stlBytes(objects);
-  constexpr std::size_t kLongest = 0xfffffffe;  // of a DICOM element
-  if (stl.size() > kLongest) refuseOutput(path, FindingKind::dicomMeshTooLarge);
+  constexpr std::size_t kLongestElement = 0xfffffffe;  // of a DICOM element
+  if (stl.size() > kLongestElement) refuseOutput(path, FindingKind::dicomMeshTooLarge);
   DcmDataset data;
   dicom::Texts texts{content.description};
   for (const ExportedObject& object : objects) texts.push_back(object.label.name);

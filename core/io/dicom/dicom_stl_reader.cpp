@@ -16,7 +16,7 @@ namespace handlebody {
 
 namespace {
 
-constexpr std::uint32_t kCodeValue = 0x00080100u, kUnits = 0x004008eau, kDocument = 0x00420011u,
+constexpr std::uint32_t kUnitCode = 0x00080100u, kUnits = 0x004008eau, kDocument = 0x00420011u,
                         kMimeType = 0x00420012u;
 
 //! What the data set says of its document.
@@ -48,7 +48,7 @@ Document documentIn(const DicomElements& file, const std::string& path) {
   const bool isExplicit = beginning.isExplicit();
   Document document;
   const auto takeUnit = [&](const DicomElement& e, bool) {
-    if (e.tag == kCodeValue) document.unit = file.text(e);
+    if (e.tag == kUnitCode) document.unit = file.text(e);
   };
   const auto take = [&](const DicomElement& e) {
     if (e.tag == kDocument) document.value = e;
@@ -71,9 +71,9 @@ std::optional<double> millimetresIn(const std::string& unit) {
 }  // namespace
 
 MeshFile readDicomStl(const std::string& path) {
-  constexpr std::size_t kPreamble = 128;
   const std::string bytes = bytesOf(path);
-  if (bytes.size() < kPreamble + 4 || bytes.compare(kPreamble, 4, "DICM") != 0) refuseAs(path, "DICOM");
+  if (bytes.size() < kDicomPreamble + 4 || bytes.compare(kDicomPreamble, 4, "DICM") != 0)
+    refuseAs(path, "DICOM");
   const DicomElements file(bytes);
   const Document document = documentIn(file, path);
   if (!document.value) refuseAs(path, "DICOM Encapsulated STL");

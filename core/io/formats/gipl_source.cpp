@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 256;
 // Where what we need stands in it.
-constexpr std::size_t kSizes = 0, kType = 8, kSpacing = 10, kOrigin = 204;
+constexpr std::size_t kSizes = 0, kVoxelType = 8, kSpacing = 10, kOrigin = 204;
 
 class Header {
  public:
@@ -36,7 +36,7 @@ class Header {
   std::array<unsigned char, kHeaderBytes> bytes_{};
 };
 
-Component componentOf(int type, const std::string& path) {
+Component componentOfGipl(int type, const std::string& path) {
   switch (type) {
     case 7:
       return Component::int8;
@@ -67,7 +67,7 @@ SourcePointer openGipl(const std::string& path) {
   const Header fields(path, isPacked);
   VolumeHeader header;
   header.format = "GIPL";
-  header.component = componentOf(fields.at<std::uint16_t>(kType), path);
+  header.component = componentOfGipl(fields.at<std::uint16_t>(kVoxelType), path);
   for (std::size_t a = 0; a < 3; ++a) {
     header.grid.size[a] = fields.at<std::uint16_t>(kSizes + 2 * a);
     const auto i = static_cast<Eigen::Index>(a);

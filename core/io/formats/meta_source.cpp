@@ -71,7 +71,7 @@ std::vector<double> numbers(const std::string& text, const std::string& path) {
   return values;
 }
 
-Component componentOf(const std::string& type, const std::string& path) {
+Component componentOfMeta(const std::string& type, const std::string& path) {
   static const std::map<std::string, Component> kTypes{
       {"MET_CHAR", Component::int8},       {"MET_UCHAR", Component::uint8},
       {"MET_SHORT", Component::int16},     {"MET_USHORT", Component::uint16},
@@ -180,7 +180,7 @@ SourcePointer openMetaImage(const std::string& path) {
   const MetaText text = readText(path);
   VolumeHeader header;
   header.format = "MetaImage";
-  header.component = componentOf(text.value("ElementType"), path);
+  header.component = componentOfMeta(text.value("ElementType"), path);
   const std::size_t dimensions = setSizes(text, path, header);
   setComponents(text, path, header);
   setGeometry(text, dimensions, path, header);

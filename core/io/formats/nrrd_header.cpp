@@ -67,7 +67,7 @@ std::vector<std::string> numbered(const std::vector<std::string>& parts, const f
   return files;
 }
 
-Component componentOf(const std::string& type, const std::string& path) {
+Component componentOfNrrd(const std::string& type, const std::string& path) {
   using Names = std::vector<std::string>;
   static const std::pair<Component, Names> kTypes[] = {
       {Component::int8, {"signed char", "int8", "int8_t"}},
@@ -287,7 +287,7 @@ NrrdFields readNrrdFields(const std::string& path) {
 
 NrrdLayout interpretNrrd(const NrrdFields& f, const std::string& path, VolumeHeader& header) {
   header.format = "NRRD";
-  header.component = componentOf(f.value("type"), path);
+  header.component = componentOfNrrd(f.value("type"), path);
   std::vector<Axis> axes = axesOf(f, path);
   std::vector<Axis> spatial;
   std::size_t others = 0, other = 0;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/io/formats/volume_files.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/formats/volume_source.h"
 #include "core/phase.h"
@@ -17,14 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> filesOf(const std::string& path) {
+//! Those of the folder itself, in name order.
+std::vector<std::string> filesIn(const std::string& folder) {
   std::error_code failed;
-  if (!fs::exists(path, failed)) refuseInput(path, FindingKind::noSuchFileOrFolder);
-  if (!fs::is_directory(path)) return {path};
   std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(path, failed))
+  for (const auto& entry : fs::directory_iterator(folder, failed))
     if (entry.is_regular_file()) files.push_back(entry.path().string());
-  if (failed) refuseInput(path, {FindingKind::folderUnreadableFor, {{"reason", failed.message()}}});
+  if (failed) refuseInput(folder, {FindingKind::folderUnreadableFor, {{"reason", failed.message()}}});
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -63,11 +63,26 @@ void addFile(Digest& digest, const std::string& path) {
 
 }  // namespace
 
-std::string sha256OfPath(const std::string& path) {
+PathHash hashOfPath(const std::string& path) {
   const Phase phase("reading");
-  Digest digest;
-  for (const std::string& file : filesOf(path)) addFile(digest, file);
-  return digest.hex();
+  std::error_code failed;
+  if (!fs::exists(path, failed)) refuseInput(path, FindingKind::noSuchFileOrFolder);
+  Digest whole;
+  if (fs::is_directory(path)) {
+    for (const std::string& file : filesIn(path)) addFile(whole, file);
+    return {whole.hex(), {}};
+  }
+  bool isHeader = false;
+  for (const std::string& file : filesOfVolume(path)) {
+    // A pair has one of several spellings; what else is not there, opening the volume tells.
+    if (file != path && !fs::is_regular_file(file, failed)) continue;
+    addFile(whole, file);
+    isHeader = isHeader || file != path;
+  }
+  if (!isHeader) return {whole.hex(), {}};
+  Digest header;
+  addFile(header, path);
+  return {whole.hex(), header.hex()};
 }
 
 std::string sha256OfText(const std::string& text) { return sha256OfBytes(text, nullptr, 0); }

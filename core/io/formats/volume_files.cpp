@@ -26,18 +26,6 @@ std::vector<std::string> dataFilesOf(const std::string& path) {
   return {};
 }
 
-//! The file itself and, where it is a detached header, those that hold the voxels, whether they are there or
-//! not. Reads headers only.
-std::vector<std::string> filesOfVolume(const std::string& path) {
-  std::vector<std::string> files;
-  try {
-    files = dataFilesOf(path);
-  } catch (const std::exception&) {  // opening it will say why
-  }
-  files.push_back(path);
-  return files;
-}
-
 fs::path identity(const std::string& path) {
   std::error_code failed;
   const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
@@ -45,6 +33,16 @@ fs::path identity(const std::string& path) {
 }
 
 }  // namespace
+
+std::vector<std::string> filesOfVolume(const std::string& path) {
+  std::vector<std::string> files{path};
+  try {
+    for (const std::string& file : dataFilesOf(path))
+      if (identity(file) != identity(path)) files.push_back(file);
+  } catch (const std::exception&) {  // opening it will say why
+  }
+  return files;
+}
 
 bool belongsToVolume(const std::string& file, const std::string& path) {
   const fs::path written = identity(file);

@@ -121,7 +121,19 @@ int runDicomDecoder();
 //! values. Throws OutputError; UsageError for an unknown extension.
 void writeVolume(const Volume& volume, const std::string& path);
 
-//! SHA-256 of a file, or of the files of a folder in name order; lower-case hex. Throws InputError.
-std::string sha256OfPath(const std::string& path);
+//! By what a file or folder is known again; SHA-256 in lower-case hex.
+struct PathHash {
+  std::string whole;   //!< of all that is read: a detached header and then the files with its voxels
+  std::string header;  //!< of a detached header alone, as sessions of before that have it; empty: it is none
+
+  bool is(const std::string& sha256) const {
+    return sha256 == whole || (!header.empty() && sha256 == header);
+  }
+};
+
+//! Of a file, with the voxels of a detached header, or of the files of a folder in name order. Throws
+//! InputError.
+PathHash hashOfPath(const std::string& path);
+inline std::string sha256OfPath(const std::string& path) { return hashOfPath(path).whole; }
 
 }  // namespace handlebody

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 4> kSupported{
     kThreeMfCore, kProduction, "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07"};
 
-enum class Tag {
+enum class ElementTag {
   none,
   other,  // and all that is in it
   model,
@@ -40,34 +40,34 @@ enum class Tag {
 };
 
 struct Rule {
-  Tag within;
+  ElementTag within;
   std::string_view name;
-  Tag tag;
+  ElementTag tag;
 };
 // Those first that there are most of.
-constexpr Rule kRules[] = {{Tag::vertices, "vertex", Tag::vertex},
-                           {Tag::triangles, "triangle", Tag::triangle},
-                           {Tag::components, "component", Tag::component},
-                           {Tag::build, "item", Tag::item},
-                           {Tag::resources, "object", Tag::object},
-                           {Tag::object, "mesh", Tag::mesh},
-                           {Tag::object, "components", Tag::components},
-                           {Tag::mesh, "vertices", Tag::vertices},
-                           {Tag::mesh, "triangles", Tag::triangles},
-                           {Tag::model, "metadata", Tag::metadata},
-                           {Tag::model, "resources", Tag::resources},
-                           {Tag::model, "build", Tag::build},
-                           {Tag::none, "model", Tag::model}};
+constexpr Rule kRules[] = {{ElementTag::vertices, "vertex", ElementTag::vertex},
+                           {ElementTag::triangles, "triangle", ElementTag::triangle},
+                           {ElementTag::components, "component", ElementTag::component},
+                           {ElementTag::build, "item", ElementTag::item},
+                           {ElementTag::resources, "object", ElementTag::object},
+                           {ElementTag::object, "mesh", ElementTag::mesh},
+                           {ElementTag::object, "components", ElementTag::components},
+                           {ElementTag::mesh, "vertices", ElementTag::vertices},
+                           {ElementTag::mesh, "triangles", ElementTag::triangles},
+                           {ElementTag::model, "metadata", ElementTag::metadata},
+                           {ElementTag::model, "resources", ElementTag::resources},
+                           {ElementTag::model, "build", ElementTag::build},
+                           {ElementTag::none, "model", ElementTag::model}};
 
 //! What stands in a place where the core specification has no such element, or is of another namespace, is
 //! ignored with all that is in it, as the specification wants.
-Tag tagOf(Tag within, std::string_view name) {
+ElementTag tagOf(ElementTag within, std::string_view name) {
   const std::string_view core = kThreeMfCore;
-  if (!name.starts_with(core) || name.size() <= core.size() + 1) return Tag::other;
+  if (!name.starts_with(core) || name.size() <= core.size() + 1) return ElementTag::other;
   name.remove_prefix(core.size() + 1);
   for (const Rule& rule : kRules)
     if (rule.within == within && rule.name == name) return rule.tag;
-  return Tag::other;
+  return ElementTag::other;
 }
 
 //! The core specification knows five types, of meshes alone (an object of components has those of its
@@ -88,24 +88,24 @@ class ModelReader : public XmlHandler {
   }
 
   void start(std::string_view name, const XmlAttributes& attributes) override {
-    const Tag tag = tagOf(tags_.empty() ? Tag::none : tags_.back(), name);
-    if (tags_.empty() && tag != Tag::model)
+    const ElementTag tag = tagOf(tags_.empty() ? ElementTag::none : tags_.back(), name);
+    if (tags_.empty() && tag != ElementTag::model)
       refuseInput(path_, {FindingKind::notOfFormat, {{"format", std::string(kThreeMf)}}});
     tags_.push_back(tag);
-    if (tag == Tag::vertex) return readVertex(attributes);
-    if (tag == Tag::triangle) return readTriangle(attributes);
-    if (tag == Tag::component) return readPlacement(attributes, object_->components);
-    if (tag == Tag::item) return readPlacement(attributes, model.items);
-    if (tag == Tag::object) return readObject(attributes);
-    if (tag == Tag::model) return readModel(attributes);
-    if (tag == Tag::metadata) {
+    if (tag == ElementTag::vertex) return readVertex(attributes);
+    if (tag == ElementTag::triangle) return readTriangle(attributes);
+    if (tag == ElementTag::component) return readPlacement(attributes, object_->components);
+    if (tag == ElementTag::item) return readPlacement(attributes, model.items);
+    if (tag == ElementTag::object) return readObject(attributes);
+    if (tag == ElementTag::model) return readModel(attributes);
+    if (tag == ElementTag::metadata) {
       isSpace_ = isOurs(attributes.find("name"));
       text_.clear();
     }
   }
 
   void end() override {
-    if (tags_.back() == Tag::metadata && isSpace_) {
+    if (tags_.back() == ElementTag::metadata && isSpace_) {
       if (trimmed(text_) == "RAS") model.space = CoordinateSpace::ras;
       isSpace_ = false;
     }
@@ -113,8 +113,8 @@ class ModelReader : public XmlHandler {
   }
 
   void text(std::string_view piece) override {
-    constexpr std::size_t kLongest = 64;
-    if (isSpace_ && text_.size() < kLongest) text_ += piece.substr(0, kLongest);
+    constexpr std::size_t kLongestValue = 64;
+    if (isSpace_ && text_.size() < kLongestValue) text_ += piece.substr(0, kLongestValue);
   }
 
   ThreeMfModel model{};
@@ -206,7 +206,7 @@ class ModelReader : public XmlHandler {
 
   std::string path_, text_{};
   ThreeMfCount& count_;
-  std::vector<Tag> tags_{};  // that are open
+  std::vector<ElementTag> tags_{};  // that are open
   std::map<std::string, std::string> spaces_{};
   ThreeMfObject* object_ = nullptr;  // in which we are: unordered_map moves none
   double unit_ = 1;

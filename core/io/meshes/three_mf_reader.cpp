@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kRelationships = "_rels/.rels";
 constexpr const char* kUsualModel = "3D/3dmodel.model";
-constexpr std::size_t kDeepest = 32;  // components in components
+constexpr std::size_t kDeepestComponent = 32;  // components in components
 
 //! The first relationship of the package to a model.
 class RelationshipReader : public XmlHandler {
@@ -122,7 +122,7 @@ class Package {
       refuseThreeMf(path_, {FindingKind::objectMissing, {{"object", place.object}}});
     if (std::find(within.begin(), within.end(), place) != within.end())
       refuseThreeMf(path_, {FindingKind::objectHoldsItself, {{"object", place.object}}});
-    if (within.size() == kDeepest) refuseThreeMf(path_, FindingKind::objectsNested);
+    if (within.size() == kDeepestComponent) refuseThreeMf(path_, FindingKind::objectsNested);
     const Pose pose = inside(outer, placement.transform);
     if (object->second.isBody) visit(object->second.mesh, pose);
     within.push_back(place);

@@ -16,7 +16,7 @@ namespace handlebody {
 
 namespace {
 
-constexpr const char* kTypes =
+constexpr const char* kContentTypes =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
     "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
@@ -99,9 +99,9 @@ void writeThreeMf(const std::vector<ExportedObject>& objects, const std::string&
   const std::string model = modelXml(objects, space);
   constexpr std::size_t kLongest = 0xf0000000;  // without ZIP's 64-bit extension, which not all readers know
   if (model.size() > kLongest) refuseOutput(path, FindingKind::packageTooLarge);
-  writeTextAtomically(
-      path,
-      zipped({{"[Content_Types].xml", kTypes}, {"_rels/.rels", kRelations}, {"3D/3dmodel.model", model}}));
+  writeTextAtomically(path, zipped({{"[Content_Types].xml", kContentTypes},
+                                    {"_rels/.rels", kRelations},
+                                    {"3D/3dmodel.model", model}}));
 }
 
 }  // namespace handlebody

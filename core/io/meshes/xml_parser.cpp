@@ -11,7 +11,7 @@
 namespace handlebody {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestElement = 64;
 //! expat keeps a tag until it has all of it, and looks at it anew with every piece.
 constexpr XML_Index kLongestTag = 1 << 20;
 
@@ -55,7 +55,7 @@ struct XmlParser::State {
   static void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** attributes) {
     State& s = of(user);
     s.guarded([&] {
-      if (++s.depth > kDeepest) s.refuse(FindingKind::xmlNested);
+      if (++s.depth > kDeepestElement) s.refuse(FindingKind::xmlNested);
       s.handler.start(name, XmlAttributes(attributes));
     });
   }

@@ -4,12 +4,11 @@
 
 #include "core/io/report/comparison_json.h"
 #include "core/io/report/csv_line.h"
+#include "core/units.h"
 
 namespace handlebody {
 
 namespace {
-
-constexpr double kMillilitre = 1000;  // mm³
 
 std::string cell(const Json& value) {
   if (value.is_null()) return "";

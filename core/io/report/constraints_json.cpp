@@ -68,7 +68,7 @@ Json startToJson(const StartSurface& s) {
   return json;
 }
 
-int labelFromJson(const JsonField& json) {
+int labelNumberFromJson(const JsonField& json) {
   const int label = json.whole();
   if (label == 0) json.refuse(K::fieldNoLabel);
   return label;
@@ -89,9 +89,9 @@ StartSurface startFromJson(const JsonField& json) {
   StartSurface start;
   start.path = pathFromJson(json.at("path"));
   if (json.has("sha256")) start.sha256 = json.at("sha256").text();
-  if (json.has("label")) start.label = labelFromJson(json.at("label"));
+  if (json.has("label")) start.label = labelNumberFromJson(json.at("label"));
   if (json.has("among"))
-    for (const JsonField& label : json.at("among").list()) start.among.push_back(labelFromJson(label));
+    for (const JsonField& label : json.at("among").list()) start.among.push_back(labelNumberFromJson(label));
   if (json.has("done")) start.isDone = json.at("done").flag();
   start.shape = shapeFromJson(json);
   return start;

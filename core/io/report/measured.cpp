@@ -13,15 +13,15 @@ namespace handlebody {
 
 namespace {
 
-std::string number(double value, const char* format = "%.5g") {
+std::string measured(double value, const char* format = "%.5g") {
   char text[40];
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
 
-std::string place(const Vec3& p) { return number(p.x()) + "," + number(p.y()) + "," + number(p.z()); }
+std::string place(const Vec3& p) { return measured(p.x()) + "," + measured(p.y()) + "," + measured(p.z()); }
 
-std::string line(const std::string& name, const std::string& value) {
+std::string labelledLine(const std::string& name, const std::string& value) {
   std::string text = name;
   text.resize(std::max<std::size_t>(38, name.size() + 1), ' ');
   return text + value + "\n";
@@ -34,40 +34,43 @@ int genusOf(const MeasuredObject& o) {
 std::string objectText(const MeasuredObject& o) {
   const ShapeMeasures& m = o.measures.shape;
   std::string text =
-      o.name + "\n" + line("  volume (ml)", number(m.volume / 1000, "%.6g")) +
-      line("  area (cm2)", number(m.area / 100, "%.6g")) +
-      line("  largest diameter (mm)",
-           number(m.largest.distance) + " from " + place(m.largest.from) + " to " + place(m.largest.to)) +
-      line("  along its principal axes (mm)",
-           number(m.extents[0]) + " x " + number(m.extents[1]) + " x " + number(m.extents[2])) +
-      line("  along x, y, z (mm)", number(m.box[0]) + " x " + number(m.box[1]) + " x " + number(m.box[2])) +
-      line("  centroid (mm LPS)", place(m.centroid)) +
-      line("  components, cavities, genus",
-           std::to_string(o.certificate.components - o.certificate.cavities) + ", " +
-               std::to_string(o.certificate.cavities) + ", " + std::to_string(genusOf(o)));
+      o.name + "\n" + labelledLine("  volume (ml)", measured(m.volume / 1000, "%.6g")) +
+      labelledLine("  area (cm2)", measured(m.area / 100, "%.6g")) +
+      labelledLine("  largest diameter (mm)", measured(m.largest.distance) + " from " +
+                                                  place(m.largest.from) + " to " + place(m.largest.to)) +
+      labelledLine("  along its principal axes (mm)",
+                   measured(m.extents[0]) + " x " + measured(m.extents[1]) + " x " + measured(m.extents[2])) +
+      labelledLine("  along x, y, z (mm)",
+                   measured(m.box[0]) + " x " + measured(m.box[1]) + " x " + measured(m.box[2])) +
+      labelledLine("  centroid (mm LPS)", place(m.centroid)) +
+      labelledLine("  components, cavities, genus",
+                   std::to_string(o.certificate.components - o.certificate.cavities) + ", " +
+                       std::to_string(o.certificate.cavities) + ", " + std::to_string(genusOf(o)));
   const auto& in = o.measures.intensity;
   if (in && in->voxels > 0)
-    text += line("  intensity, mean and SD", number(in->mean) + " +- " + number(in->deviation)) +
-            line("  intensity, minimum to maximum", number(in->minimum) + " to " + number(in->maximum)) +
-            line("  voxels inside", std::to_string(in->voxels));
+    text += labelledLine("  intensity, mean and SD", measured(in->mean) + " +- " + measured(in->deviation)) +
+            labelledLine("  intensity, minimum to maximum",
+                         measured(in->minimum) + " to " + measured(in->maximum)) +
+            labelledLine("  voxels inside", std::to_string(in->voxels));
   return text;
 }
 
 std::string gapText(const MeasuredGap& g) {
   const std::string between = "distance of " + g.from + " and " + g.to + " (mm)";
-  std::string value = number(g.gap.distance) + " from " + place(g.gap.onA) + " to " + place(g.gap.onB);
+  std::string value = measured(g.gap.distance) + " from " + place(g.gap.onA) + " to " + place(g.gap.onB);
   if (g.gap.contact == BodyContact::surfaces) value = "0: the surfaces meet, near " + place(g.gap.onA);
   if (g.gap.contact == BodyContact::inside) value += "; a part of one lies in the other";
-  return line(between, value);
+  return labelledLine(between, value);
 }
 
 std::string wallText(const MeasuredWall& w) {
   const auto directed = [](const DirectedDistances& d) {
-    return "mean " + number(d.mean) + ", least " + number(d.smallest) + ", 95 % up to " +
-           number(d.percentile95) + ", largest " + number(d.largest);
+    return "mean " + measured(d.mean) + ", least " + measured(d.smallest) + ", 95 % up to " +
+           measured(d.percentile95) + ", largest " + measured(d.largest);
   };
-  return line("wall thickness (mm)", "") + line("  from " + w.first, directed(w.wall.fromFirst)) +
-         line("  from " + w.second, directed(w.wall.fromSecond));
+  return labelledLine("wall thickness (mm)", "") +
+         labelledLine("  from " + w.first, directed(w.wall.fromFirst)) +
+         labelledLine("  from " + w.second, directed(w.wall.fromSecond));
 }
 
 //! The least and the largest section.
@@ -90,14 +93,15 @@ struct Extremes {
 std::string lineText(const MeasuredLine& m) {
   const Extremes e(m.line);
   const auto section = [](const CentreLinePoint& p) {
-    return number(*p.area) + " mm2, equivalent diameter " + number(p.equivalentDiameter()) + " mm, at " +
-           number(p.along) + " mm, " + place(p.place);
+    return measured(*p.area) + " mm2, equivalent diameter " + measured(p.equivalentDiameter()) + " mm, at " +
+           measured(p.along) + " mm, " + place(p.place);
   };
-  std::string text = line("centre line (mm)", number(m.line.length) + " in " + m.object + ", " +
-                                                  std::to_string(m.line.points.size()) + " sections");
+  std::string text = labelledLine("centre line (mm)", measured(m.line.length) + " in " + m.object + ", " +
+                                                          std::to_string(m.line.points.size()) + " sections");
   if (e.least)
-    text += line("  least section", section(*e.least)) + line("  largest section", section(*e.largest)) +
-            line("  mean area of the sections (mm2)", number(e.mean));
+    text += labelledLine("  least section", section(*e.least)) +
+            labelledLine("  largest section", section(*e.largest)) +
+            labelledLine("  mean area of the sections (mm2)", measured(e.mean));
   return text;
 }
 
@@ -112,7 +116,7 @@ std::string placedText(const std::vector<Measurement>& placed) {
     const std::string unit = placed[i].kind == MeasurementKind::ruler ? " (mm)" : " (degrees)";
     std::string points;
     for (const Vec3& p : placed[i].points) points += (points.empty() ? " from " : " to ") + place(p);
-    text += line(placedName(placed[i], i) + unit, number(valueOf(placed[i])) + points);
+    text += labelledLine(placedName(placed[i], i) + unit, measured(valueOf(placed[i])) + points);
   }
   return text;
 }

@@ -4,12 +4,11 @@
 #include "core/io/report/polished_export.h"
 #include "core/io/report/session.h"
 #include "core/told_error.h"
+#include "core/units.h"
 
 namespace handlebody {
 
 namespace {
-
-constexpr double kMillilitre = 1000;  // mm³
 
 Json faultsToJson(const std::vector<ToldFault>& faults) {
   Json list = Json::array();

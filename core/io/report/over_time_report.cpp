@@ -5,12 +5,11 @@
 #include <sstream>
 
 #include "core/io/report/session_files.h"
+#include "core/units.h"
 
 namespace handlebody {
 
 namespace {
-
-constexpr double kMillilitre = 1000;  // mm³
 
 std::string inQuotes(const std::string& text) {
   std::string out = "\"";

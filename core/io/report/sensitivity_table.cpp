@@ -5,12 +5,11 @@
 #include <sstream>
 
 #include "core/io/report/csv_line.h"
+#include "core/units.h"
 
 namespace handlebody {
 
 namespace {
-
-constexpr double kMillilitre = 1000;  // mm³
 
 std::string written(double value) {
   std::ostringstream out;

@@ -100,14 +100,6 @@ std::vector<Session> sessionsFromJson(const JsonField& json, const std::string& 
   return sessions;
 }
 
-//! The JSON library starts its messages with a tag in brackets, which tells people nothing.
-Finding unexpected(const Json::exception& error) {
-  const std::string_view tagged = error.what();
-  const auto end = tagged.find("] ");
-  return {K::jsonUnexpected,
-          {{"reason", std::string(end == std::string_view::npos ? tagged : tagged.substr(end + 2))}}};
-}
-
 //! `path`: of the session or report.
 std::vector<Session> parsed(const std::string& text, const std::string& path, const InputPaths& inputs) {
   try {
@@ -117,8 +109,6 @@ std::vector<Session> parsed(const std::string& text, const std::string& path, co
     throw Told<InputError>(Finding(K::notJson, {{"file", path}}));
   } catch (const Json::out_of_range&) {  // of the parser: no double is as large
     throw Told<InputError>(Finding(K::notASession, {{"file", path}}, K::jsonNumberTooLarge));
-  } catch (const Json::exception& error) {
-    throw Told<InputError>(Finding(K::notASession, {{"file", path}}, unexpected(error)));
   } catch (const std::exception& error) {
     throw Told<InputError>(Finding(K::notASession, {{"file", path}}, saidBy(error)));
   }

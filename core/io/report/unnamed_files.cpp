@@ -41,10 +41,14 @@ std::optional<UnnamedFile> unnamedFile(const std::vector<Session>& sessions) {
 
 void nameFile(std::vector<Session>& sessions, const UnnamedFile& file, const std::string& path) {
   // Read even where any file is taken: one that cannot be is told now.
-  if (const std::string hash = sha256OfPath(path); !file.sha256.empty() && hash != file.sha256)
+  const PathHash hash = hashOfPath(path);
+  if (!file.sha256.empty() && !hash.is(file.sha256))
     throw Told<InputError>(Finding(refusalOf(file.missing), {{"file", path}}));
   forEachFile(sessions, file.missing, [&](auto& unnamed) {
-    if (unnamed.path.empty() && unnamed.sha256 == file.sha256) unnamed.path = path;
+    if (unnamed.path.empty() && unnamed.sha256 == file.sha256) {
+      unnamed.path = path;
+      if (!file.sha256.empty()) unnamed.sha256 = hash.whole;
+    }
   });
 }
 
@@ -57,11 +61,12 @@ void placeFiles(std::vector<Session>& sessions, FindingKind missing, const std::
                                    {{"file", paths.front()}}));
   std::vector<std::string> left;
   for (const std::string& path : paths) {
-    const std::string hash = sha256OfPath(path);
+    const PathHash hash = hashOfPath(path);
     bool isMeant = false;
     forEachFile(sessions, missing, [&](auto& file) {
-      if (file.sha256 != hash) return;
+      if (!hash.is(file.sha256)) return;
       file.path = path;
+      file.sha256 = hash.whole;
       isMeant = true;
     });
     if (!isMeant) left.push_back(path);

@@ -7,12 +7,12 @@
 #include <sstream>
 
 #include "core/io/report/over_time_report.h"
+#include "core/units.h"
 
 namespace handlebody {
 
 namespace {
 
-constexpr double kMillilitre = 1000;  // mm³
 // Pixels: the picture, and the box of the curve in it.
 constexpr double kWidth = 640, kHeight = 400, kLeft = 64, kRight = 616, kTop = 56, kBottom = 344;
 

@@ -16,7 +16,7 @@ namespace handlebody {
 
 namespace {
 
-std::string endingOf(const std::string& path) {
+std::string endingOfTetrahedra(const std::string& path) {
   const auto dot = path.rfind('.');
   return dot == std::string::npos ? "" : lowered(path.substr(dot));
 }
@@ -114,13 +114,13 @@ void writeVtu(const Contents& c, std::ostream& out) {
 }  // namespace
 
 bool isTetrahedraPath(const std::string& path) {
-  const std::string ending = endingOf(path);
+  const std::string ending = endingOfTetrahedra(path);
   return ending == ".msh" || ending == ".vtu" || ending == ".inp";
 }
 
 void writeTetrahedra(const Tetrahedra& tetrahedra, const std::vector<ExportedObject>& objects,
                      const std::string& path, CoordinateSpace space) {
-  const std::string ending = endingOf(path);
+  const std::string ending = endingOfTetrahedra(path);
   writeAtomically(path, [&](const std::string& temporary) {
     std::ofstream out(temporary, std::ios::binary);
     out.imbue(std::locale::classic());

@@ -11,13 +11,13 @@ using namespace handlebody::ui;
 
 namespace {
 
-struct Grown {
+struct GrownForEdits {
   TorusFile torus;
   Document document;
   int edited = 0;
   QString refused;
 
-  Grown() {
+  GrownForEdits() {
     REQUIRE(openAndWait(document, torus.path));
     document.addSeed(torus.seed);
     REQUIRE(runToEnd(document));
@@ -51,7 +51,7 @@ struct Grown {
 }  // namespace
 
 TEST_CASE("an edit is the next step, undo shows the surface before it, redo makes it again", "[document]") {
-  Grown grown;
+  GrownForEdits grown;
   Document& document = grown.document;
   const int before = document.iteration();
   const TriangleSoup open = document.snapshot()->mesh;
@@ -80,7 +80,7 @@ TEST_CASE("an edit is the next step, undo shows the surface before it, redo make
 }
 
 TEST_CASE("an edit that cannot be made is told, and all is as it was", "[document]") {
-  Grown grown;
+  GrownForEdits grown;
   Document& document = grown.document;
   const TriangleSoup before = document.snapshot()->mesh;
   const QString undo = document.undoStack()->undoText();
@@ -97,7 +97,7 @@ TEST_CASE("an edit that cannot be made is told, and all is as it was", "[documen
 }
 
 TEST_CASE("an edit is left out from the step before it on", "[document]") {
-  Grown grown;
+  GrownForEdits grown;
   Document& document = grown.document;
   const int before = document.iteration();
   REQUIRE(grown.close(TunnelCut::handle));
@@ -111,7 +111,7 @@ TEST_CASE("an edit is left out from the step before it on", "[document]") {
 }
 
 TEST_CASE("a session with edits opens to the same surface, and replays to it", "[document]") {
-  Grown grown;
+  GrownForEdits grown;
   Document& document = grown.document;
   REQUIRE(grown.close());
   const QString path = grown.torus.file("edited.json");
@@ -134,7 +134,7 @@ TEST_CASE("a session with edits opens to the same surface, and replays to it", "
 }
 
 TEST_CASE("a place that was pulled, smoothed and cut is the same again from a session", "[document]") {
-  Grown grown;
+  GrownForEdits grown;
   Document& document = grown.document;
   const int before = document.iteration();
   const Vec3 end = testing::kMiddle - Vec3(testing::kTorusR + testing::kTorusr, 0, 0);
@@ -169,7 +169,7 @@ TEST_CASE("a place that was pulled, smoothed and cut is the same again from a se
 }
 
 TEST_CASE("what is looked for can be cancelled, and tells nothing then", "[document]") {
-  Grown grown;
+  GrownForEdits grown;
   std::atomic<int> told{0};
   {
     ContentsFinder finder;

@@ -19,6 +19,7 @@ struct OutputWork {
     const auto fail = [this](const QString& sentence) { failed = sentence; };
     const auto done = [this](const QString& path) { written.append(path); };
     QObject::connect(&document, &Document::exportFailed, fail);
+    QObject::connect(&document, &Document::exportRefused, fail);
     QObject::connect(&document, &Document::saveFailed, fail);
     QObject::connect(&document, &Document::refused, fail);
     QObject::connect(&document, &Document::exported, done);

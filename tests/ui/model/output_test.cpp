@@ -13,8 +13,8 @@ using namespace handlebody::ui;
 
 namespace {
 
-struct Work : OutputWork {
-  Work() { document.addSeed(torus.seed); }
+struct GrownWork : OutputWork {
+  GrownWork() { document.addSeed(torus.seed); }
   bool exportTo(const QString& path) {
     document.exportResult(path, CoordinateSpace::lps);
     return isWritten(path);
@@ -37,7 +37,7 @@ QByteArray replayed(const TorusFile& torus, const QString& session) {
 }  // namespace
 
 TEST_CASE("a surface that shrank away is not exported, and that is said", "[document]") {
-  Work work;
+  GrownWork work;
   Parameters p = work.document.parameters();
   p.direction = Direction::both;
   p.balloon = 0.01;
@@ -57,7 +57,7 @@ TEST_CASE("a surface that shrank away is not exported, and that is said", "[docu
 }
 
 TEST_CASE("a mesh is exported as the command line writes it", "[document]") {
-  Work work;
+  GrownWork work;
   REQUIRE(runToEnd(work.document));
   const QString mine = work.torus.file("mine.stl"), theirs = work.torus.file("theirs.stl");
   REQUIRE(work.exportTo(mine));
@@ -72,7 +72,7 @@ TEST_CASE("a mesh is exported as the command line writes it", "[document]") {
 }
 
 TEST_CASE("a label map and a report are written as well, and the report is a session", "[document]") {
-  Work work;
+  GrownWork work;
   REQUIRE(runToEnd(work.document));
   REQUIRE(work.exportTo(work.torus.file("label.nii.gz")));
   CHECK(readVolume(work.torus.file("label.nii.gz").toStdString()).grid.size == std::array{41, 41, 41});
@@ -86,7 +86,7 @@ TEST_CASE("a label map and a report are written as well, and the report is a ses
 
 TEST_CASE("the report's part without an edge is that of the shown surface, here and in a replay",
           "[document]") {
-  Work work;
+  GrownWork work;
   for (int iterations : {4, 12}) {  // on the way: the front has not come to the edge everywhere
     REQUIRE(work.stepTo(iterations));
     const SurfaceSupport support = work.document.snapshot()->support;
@@ -106,7 +106,7 @@ TEST_CASE("the report's part without an edge is that of the shown surface, here 
 }
 
 TEST_CASE("an export that fails says so and leaves what was there", "[document]") {
-  Work work;
+  GrownWork work;
   work.document.exportResult(work.torus.file("early.stl"), CoordinateSpace::lps);
   CHECK_FALSE(work.failed.isEmpty());
   work.failed.clear();
@@ -121,7 +121,7 @@ TEST_CASE("an export that fails says so and leaves what was there", "[document]"
 }
 
 TEST_CASE("a growth with parameters changed on the way replays to the same bytes", "[document]") {
-  Work work;
+  GrownWork work;
   Document& document = work.document;
   REQUIRE(work.stepTo(20));
   document.stepBack();
@@ -181,7 +181,7 @@ TEST_CASE("a growth with parameters changed on the way replays to the same bytes
 }
 
 TEST_CASE("a growth with clicks changed on the way replays to the same bytes", "[document]") {
-  Work work;
+  GrownWork work;
   Document& document = work.document;
   REQUIRE(work.stepTo(9));
   document.addSeed({testing::kMiddle - Vec3(testing::kTorusR, 0, 0), {}});
@@ -236,7 +236,7 @@ TEST_CASE("a growth with clicks changed on the way replays to the same bytes", "
 }
 
 TEST_CASE("a session keeps seeds, parameters and the window's view", "[document]") {
-  Work work;
+  GrownWork work;
   Parameters p;
   p.smoothing = 0.4;
   work.document.setParameters(p, QStringLiteral("Change smoothing"));
@@ -257,7 +257,7 @@ TEST_CASE("a session keeps seeds, parameters and the window's view", "[document]
 }
 
 TEST_CASE("what a session says of frames of a 4D volume is kept, though the window shows one", "[document]") {
-  Work work;
+  GrownWork work;
   const QString session = work.torus.file("session.json"), again = work.torus.file("again.json"),
                 plain = work.torus.file("plain.json");
   REQUIRE(work.saveTo(session));
@@ -285,7 +285,7 @@ TEST_CASE("what a session says of frames of a 4D volume is kept, though the wind
 }
 
 TEST_CASE("a session whose volume has changed is refused", "[document]") {
-  Work work;
+  GrownWork work;
   const QString session = work.torus.file("session.json");
   REQUIRE(work.saveTo(session));
   QFile volume(work.torus.path);
@@ -301,7 +301,7 @@ TEST_CASE("a session whose volume has changed is refused", "[document]") {
 }
 
 TEST_CASE("a session without a seed is not saved, and it is said why", "[document]") {
-  Work work;
+  GrownWork work;
   work.document.removeSeed(0);
   CHECK_FALSE(work.saveTo(work.torus.file("session.json")));
   CHECK_FALSE(QFile::exists(work.torus.file("session.json")));
@@ -310,7 +310,7 @@ TEST_CASE("a session without a seed is not saved, and it is said why", "[documen
 TEST_CASE("a clean close leaves nothing to recover", "[document]") {
   for (const QString& path : Document::recoverable()) Document::discardRecoverable(path);
   {
-    Work work;
+    GrownWork work;
     waitMilliseconds(200);
     CHECK(Document::recoverable().isEmpty());  // this process lives
   }

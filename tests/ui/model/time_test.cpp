@@ -205,6 +205,7 @@ TEST_CASE("an export of frames that is cancelled leaves nothing of them and is t
   QObject::connect(&document, &Document::exported, [&](const QString& path) { written << path; });
   QObject::connect(&document, &Document::exportCancelled, [&](const QString& path) { cancelled << path; });
   QObject::connect(&document, &Document::exportFailed, [&](const QString& why) { failed = why; });
+  QObject::connect(&document, &Document::exportRefused, [&](const QString& why) { failed = why; });
   REQUIRE(growInFrame(document, heart));
   OverTimeRequest request;
   request.drift = DriftCheck::none;

@@ -221,6 +221,10 @@ void ExportPanel::connectProgress() {
   connect(&document_, &Document::exportCancelled, this,
           [end] { end(tr("It was cancelled: nothing was written.")); });
   connect(&document_, &Document::exportFailed, this, end);
+  connect(&document_, &Document::exportRefused, this, [this](const QString& why) {
+    failed_ = why;  // what is being written goes on
+    showFault();
+  });
 }
 
 //! What speaks against the format, or what went wrong.

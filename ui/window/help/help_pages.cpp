@@ -17,7 +17,7 @@ QString row(const QString& left, const QString& right) {
   return QStringLiteral("<tr><td width='210'>%1</td><td>%2</td></tr>").arg(left, right);
 }
 
-QString keysOf(const CommandSpec& spec) {
+QString keysOfPage(const CommandSpec& spec) {
   QStringList keys;
   const auto texts = QString::fromLatin1(spec.keys).split(QStringLiteral("; "), Qt::SkipEmptyParts);
   for (const QString& text : texts)
@@ -104,8 +104,8 @@ QString shortcutsPage() {
       menu = spec.menu;
     }
     if (*spec.keys)
-      rows +=
-          row(QStringLiteral("<b>%1</b>").arg(keysOf(spec)), Commands::translated(spec.tip).toHtmlEscaped());
+      rows += row(QStringLiteral("<b>%1</b>").arg(keysOfPage(spec)),
+                  Commands::translated(spec.tip).toHtmlEscaped());
   }
   page += section(plain(menu), rows);
   return QStringLiteral("<h2>%1</h2>").arg(tr("Keyboard and mouse")) + mouseInSlices() + mouseIn3d() + page +

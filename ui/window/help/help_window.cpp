@@ -13,8 +13,8 @@
 namespace handlebody::ui {
 
 namespace {
-const QSize kSize(820, 640);
-constexpr int kPicture = 720, kIcon = 72;  // widths; pictures fit into the window as it opens
+const QSize kHelpSize(820, 640);
+constexpr int kPicture = 720, kHelpIcon = 72;  // widths; pictures fit into the window as it opens
 }  // namespace
 
 namespace {
@@ -27,7 +27,8 @@ class HelpBrowser : public QTextBrowser {
   QVariant loadResource(int type, const QUrl& name) override {
     if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
     const double ratio = devicePixelRatioF();
-    if (name.path().endsWith(QLatin1String(".svg"))) return programIcon().pixmap(QSize(kIcon, kIcon), ratio);
+    if (name.path().endsWith(QLatin1String(".svg")))
+      return programIcon().pixmap(QSize(kHelpIcon, kHelpIcon), ratio);
     const QString file = QLatin1Char(':') + (name.isRelative() ? source().resolved(name) : name).path();
     QImage picture(file);
     picture = picture.scaledToWidth(static_cast<int>(kPicture * ratio), Qt::SmoothTransformation);
@@ -41,7 +42,7 @@ class HelpBrowser : public QTextBrowser {
 HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window), tabs_(new QTabWidget(this)) {
   setWindowTitle(tr("Handlebody: help"));
   setWindowIcon(programIcon());
-  resize(kSize);
+  resize(kHelpSize);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->addWidget(tabs_);

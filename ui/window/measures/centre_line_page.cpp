@@ -16,7 +16,7 @@
 namespace handlebody::ui {
 
 namespace {
-constexpr int kTools = 290;  // pixels
+constexpr int kLineTools = 290;  // pixels
 }  // namespace
 
 CentreLinePage::CentreLinePage(Document& document, ViewState& state, const Commands& commands,
@@ -47,7 +47,7 @@ CentreLinePage::CentreLinePage(Document& document, ViewState& state, const Comma
 
 void CentreLinePage::buildTools(const Commands& commands) {
   auto* tools = new QWidget(this);
-  tools->setFixedWidth(kTools);
+  tools->setFixedWidth(kLineTools);
   auto* column = new QVBoxLayout(tools);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(toggleFor(commands[Command::centreLine], tools));

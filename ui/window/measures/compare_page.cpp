@@ -30,12 +30,12 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTools = 290;        // pixels
-constexpr int kLabelLetters = 10;  // at least; longer names are shortened
+constexpr int kCompareTools = 290;  // pixels
+constexpr int kLabelLetters = 10;   // at least; longer names are shortened
 
-const QString kNone = QStringLiteral("–");
+const QString kNotCompared = QStringLiteral("–");
 
-QString volumeOf(const Solid& s) { return s.isClosed() ? number(s.volume() / 1000) : kNone; }
+QString volumeOf(const Solid& s) { return s.isClosed() ? number(s.volume() / 1000) : kNotCompared; }
 
 QString genusOf(const Solid& s) {
   const auto& g = s.certificate.genus;
@@ -53,7 +53,9 @@ std::vector<Row> rowsOf(const ComparedPair& pair) {
   };
   const auto cavities = [](const Solid& s) { return QString::number(std::max(0, s.certificate.cavities)); };
   const Comparison& f = pair.found;
-  const auto share = [](const std::optional<double>& value) { return value ? number(*value, 3) : kNone; };
+  const auto share = [](const std::optional<double>& value) {
+    return value ? number(*value, 3) : kNotCompared;
+  };
   std::vector<Row> rows{{tr("Dice"), share(f.dice), {}}, {tr("IoU"), share(f.iou), {}}};
   if (f.distances)
     rows.insert(rows.end(),
@@ -119,7 +121,7 @@ QPushButton* ComparePage::addButton(const QString& text, const QString& tip) {
 
 QWidget* ComparePage::buildTools() {
   auto* tools = new QWidget(this);
-  tools->setFixedWidth(kTools);
+  tools->setFixedWidth(kCompareTools);
   auto* grid = new QGridLayout(tools);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(4);
@@ -390,8 +392,9 @@ void ComparePage::showReference() {
   if (const int index = indexOf(object_); index >= 0)
     objectName_ = QString::fromStdString(document_.objectInfo(index).label.name);
   const QString name = path_.isEmpty() ? objectName_ : QFileInfo(path_).fileName();
-  reference_->setText(name.isEmpty() ? tr("No reference is chosen.")
-                                     : QFontMetrics(font()).elidedText(name, Qt::ElideMiddle, kTools - 10));
+  reference_->setText(name.isEmpty()
+                          ? tr("No reference is chosen.")
+                          : QFontMetrics(font()).elidedText(name, Qt::ElideMiddle, kCompareTools - 10));
   reference_->setToolTip((path_.isEmpty() ? objectName_ : path_).toHtmlEscaped());
   labelRow_->setVisible(isLabelMap_);
   label_->setEnabled(label_->count() > 1);

@@ -20,7 +20,7 @@
 namespace handlebody::ui {
 
 namespace {
-constexpr int kTools = 250;  // pixels
+constexpr int kRulerTools = 250;  // pixels
 }
 
 RulersPage::RulersPage(Document& document, ViewState& state, const Commands& commands, QWidget* parent)
@@ -28,7 +28,7 @@ RulersPage::RulersPage(Document& document, ViewState& state, const Commands& com
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   auto* tools = new QWidget(this);
-  tools->setFixedWidth(kTools);
+  tools->setFixedWidth(kRulerTools);
   auto* column = new QVBoxLayout(tools);
   column->setContentsMargins(0, 0, 0, 0);
   auto* row = new QHBoxLayout;

@@ -21,10 +21,10 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTools = 330;  // pixels
+constexpr int kSensingTools = 330;  // pixels
 constexpr int kMinRuns = 2, kUsual = 8, kMaxRuns = 1000;
 
-const QString kNone = QStringLiteral("–");
+const QString kNotGrown = QStringLiteral("–");
 
 }  // namespace
 
@@ -51,7 +51,7 @@ SensitivityPage::SensitivityPage(Document& document, ViewState& state, QWidget* 
 
 QWidget* SensitivityPage::buildTools() {
   auto* tools = new QWidget(this);
-  tools->setFixedWidth(kTools);
+  tools->setFixedWidth(kSensingTools);
   auto* grid = new QGridLayout(tools);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(4);
@@ -173,8 +173,8 @@ void SensitivityPage::showTable() {
     const QStringList cells{
         grew ? QString::number(++counted)
              : tr("%1: %2").arg(QString::number(++counted), QString::fromStdString(run.failure)),
-        grew ? ui::number(run.volume / 1000) : kNone, grew ? QString::number(run.components) : kNone,
-        grew ? QString::number(run.genus) : kNone, grew ? ui::number(run.distance) : kNone};
+        grew ? ui::number(run.volume / 1000) : kNotGrown, grew ? QString::number(run.components) : kNotGrown,
+        grew ? QString::number(run.genus) : kNotGrown, grew ? ui::number(run.distance) : kNotGrown};
     for (int c = 0; c < cells.size(); ++c) {
       table_->setItem(at, c, listCell(cells[c]));
       if (c > 0) table_->item(at, c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

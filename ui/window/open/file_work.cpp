@@ -114,6 +114,10 @@ void FileWork::connectMessages() {
     failed(text);
     afterWriting(false);
   });
+  connect(&document_, &Document::exportRefused, this, [this, failed](const QString& text) {
+    failed(text);
+    closesWhenWritten_ = false;
+  });
   connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
     next_ = nullptr;
     failed(text);

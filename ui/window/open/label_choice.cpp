@@ -21,7 +21,7 @@ QIcon swatchOf(const FileLabel& label) {
   return label.hasLook() ? swatch(labelledAs(label, {}).colour) : QIcon();
 }
 
-QString textOf(const NamedLabel& label) {
+QString textOfLabel(const NamedLabel& label) {
   return label.name.empty() ? LabelChoice::tr("Label %1").arg(label.value)
                             : LabelChoice::tr("%1: %2").arg(QString::number(label.value),
                                                             QString::fromStdString(label.name));
@@ -61,7 +61,7 @@ void LabelChoice::offer(const std::vector<NamedLabel>& labels) {
   const QSignalBlocker quiet(list_);
   list_->clear();
   for (const NamedLabel& label : labels) {
-    auto* item = new QListWidgetItem(swatchOf(label), textOf(label), list_);
+    auto* item = new QListWidgetItem(swatchOf(label), textOfLabel(label), list_);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(Qt::Checked);
     item->setData(Qt::UserRole, label.value);

@@ -15,8 +15,8 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kMaxRecent = 6;
-constexpr int kWidth = 460;
+constexpr int kMaxShown = 6;
+constexpr int kPageWidth = 460;
 
 QLabel* title(QWidget* parent) {
   auto* label = new QLabel(StartPage::tr("Open a volume to begin"), parent);
@@ -39,7 +39,7 @@ QLabel* symbol(QWidget* parent) {
 StartPage::StartPage(const Commands& commands, QWidget* parent)
     : QWidget(parent), recent_(new QWidget(this)), recentLayout_(new QVBoxLayout(recent_)) {
   auto* column = new QWidget(this);
-  column->setFixedWidth(kWidth);
+  column->setFixedWidth(kPageWidth);
   auto* layout = new QVBoxLayout(column);
   layout->setSpacing(10);
   layout->addWidget(symbol(column));
@@ -71,9 +71,9 @@ StartPage::StartPage(const Commands& commands, QWidget* parent)
 void StartPage::setRecent(const QStringList& paths) {
   qDeleteAll(recent_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
   if (!paths.isEmpty()) recentLayout_->addWidget(heading(tr("Opened before"), recent_));
-  for (const QString& path : paths.mid(0, kMaxRecent)) {
+  for (const QString& path : paths.mid(0, kMaxShown)) {
     auto* button = new QToolButton(recent_);
-    button->setText(pathText(QFileInfo(path).fileName(), button->fontMetrics(), kWidth - 40));
+    button->setText(pathText(QFileInfo(path).fileName(), button->fontMetrics(), kPageWidth - 40));
     button->setToolTip(path);
     button->setAccessibleName(tr("Open %1").arg(path));
     button->setAutoRaise(true);

@@ -23,7 +23,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTableHeight = 150;
+constexpr int kSeedTableHeight = 150;
 
 ValueSpec radiusSpec() {
   ValueSpec spec;
@@ -116,7 +116,7 @@ void SeedPanel::buildTable() {
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("Seeds"));
-  table_->setFixedHeight(kTableHeight);
+  table_->setFixedHeight(kSeedTableHeight);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) { select(row); });
 }
 

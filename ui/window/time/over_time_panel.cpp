@@ -29,8 +29,8 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTools = 320, kTable = 290;  // pixels
-const QString kNone = QStringLiteral("–");
+constexpr int kTimeTools = 320, kTable = 290;  // pixels
+const QString kNoValue = QStringLiteral("–");
 
 QString stateOf(const TimeSeries& time, int frame) {
   const FrameResult* result = time.resultOf(frame);
@@ -47,7 +47,7 @@ QString stateOf(const TimeSeries& time, int frame) {
 
 QString volumeOf(const TimeSeries& time, int frame) {
   const FrameResult* result = time.resultOf(frame);
-  return result && result->volume > 0 ? number(result->volume / 1000) : kNone;
+  return result && result->volume > 0 ? number(result->volume / 1000) : kNoValue;
 }
 
 }  // namespace
@@ -112,7 +112,7 @@ QWidget* OverTimePanel::buildTools(const Commands& commands) {
   grid->addWidget(figures_, 6, 0, 1, 4);
   grid->setRowStretch(7, 1);
   addSaving(*grid, tools, commands);
-  tools->setFixedWidth(std::max(kTools, grid->minimumSize().width()));
+  tools->setFixedWidth(std::max(kTimeTools, grid->minimumSize().width()));
   return tools;
 }
 
@@ -210,7 +210,7 @@ void OverTimePanel::showFrames() {
   table_->setRowCount(frames);
   for (int f = 0; f < frames; ++f) {
     const auto when = time.timeOf(f);
-    const QStringList cells{QString::number(f), when ? number(*when) : kNone, volumeOf(time, f),
+    const QStringList cells{QString::number(f), when ? number(*when) : kNoValue, volumeOf(time, f),
                             stateOf(time, f)};
     for (int c = 0; c < cells.size(); ++c) {
       if (table_->item(f, c) && table_->item(f, c)->text() == cells[c]) continue;

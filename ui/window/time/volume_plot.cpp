@@ -19,9 +19,9 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr double kTop = 22, kBottom = 20, kLeft = 50, kRight = 22;  // pixels around the curve
-constexpr double kMillilitre = 1000;                                // mm³
-constexpr double kRoom = 0.12;                                      // of the range, above and below
+constexpr double kPlotTop = 22, kPlotBottom = 20, kLeft = 50, kRight = 22;  // pixels around the curve
+constexpr double kMillilitre = 1000;                                        // mm³
+constexpr double kRoom = 0.12;                                              // of the range, above and below
 
 }  // namespace
 
@@ -40,7 +40,7 @@ VolumePlot::VolumePlot(Document& document, QWidget* parent) : QWidget(parent), d
   connect(&document_, &Document::snapshotChanged, this, qOverload<>(&QWidget::update));
 }
 
-QRectF VolumePlot::area() const { return QRectF(rect()).adjusted(kLeft, kTop, -kRight, -kBottom); }
+QRectF VolumePlot::area() const { return QRectF(rect()).adjusted(kLeft, kPlotTop, -kRight, -kPlotBottom); }
 
 double VolumePlot::when(int frame) const { return document_.time().timeOf(frame).value_or(frame); }
 
@@ -116,9 +116,10 @@ void VolumePlot::paintAxes(QPainter& painter, double least, double most) const {
         number(when(f), 4) + (isKnown && f + step > last ? QStringLiteral(" ms") : QString());
     const double wide = painter.fontMetrics().horizontalAdvance(label) + 2.0;
     const double left = std::min(xOf(f) - wide / 2, width() - wide);
-    painter.drawText(QRectF(left, a.bottom() + 2, wide, kBottom - 2), Qt::AlignHCenter | Qt::AlignTop, label);
+    painter.drawText(QRectF(left, a.bottom() + 2, wide, kPlotBottom - 2), Qt::AlignHCenter | Qt::AlignTop,
+                     label);
   }
-  const QRectF top(4, 0, width() - 8, kTop);
+  const QRectF top(4, 0, width() - 8, kPlotTop);
   const QString title = isKnown ? tr("Volume (ml) over time (ms)") : tr("Volume (ml) over frames");
   const bool fits = painter.fontMetrics().horizontalAdvance(title) <= top.width();
   painter.drawText(top, Qt::AlignLeft | Qt::AlignVCenter, fits ? title : QStringLiteral("ml"));

@@ -17,10 +17,10 @@ namespace {
 
 const QColor kVolume(0x3B, 0x82, 0xC4), kMoving(0xE0, 0x8A, 0x1E), kLeak(0xC8, 0x32, 0x32),
     kChange(0x9B, 0x59, 0xD0);
-constexpr double kTop = 18;  // pixels for the legend
-constexpr double kMark = 5;  // pixels, half of the width of a mark
-constexpr int kKey = 20;     // pixels that an entry of the legend takes besides its text
-constexpr int kApart = 12;   // pixels between two entries
+constexpr double kTracksTop = 18;  // pixels for the legend
+constexpr double kEventMark = 5;   // pixels, half of the width of a mark
+constexpr int kKey = 20;           // pixels that an entry of the legend takes besides its text
+constexpr int kApart = 12;         // pixels between two entries
 
 double mostVolume(const std::vector<IterationSummary>& summaries) {
   double most = 0;
@@ -39,7 +39,7 @@ QString leakText(const Document& document, int iteration) {
 QString changesText(const Document& document, const TimelineAxis& axis, int iteration) {
   QString text;
   for (const ChangeMark& mark : document.changeMarks())
-    if (std::abs(axis.toX(mark.iteration) - axis.toX(iteration)) <= kMark)
+    if (std::abs(axis.toX(mark.iteration) - axis.toX(iteration)) <= kEventMark)
       text +=
           QLatin1Char('\n') + TimelinePlot::tr("Changed at %1: %2")
                                   .arg(QString::number(mark.iteration), mark.what.join(QStringLiteral(", ")));
@@ -57,7 +57,7 @@ TimelinePlot::TimelinePlot(Document& document, QWidget* parent) : QWidget(parent
 TimelineAxis TimelinePlot::axis() const { return {width(), std::max(0, document_.lastIteration())}; }
 
 QRectF TimelinePlot::area() const {
-  return QRectF(rect()).adjusted(TimelineAxis::kMargin, kTop, -TimelineAxis::kMargin, -4);
+  return QRectF(rect()).adjusted(TimelineAxis::kMargin, kTracksTop, -TimelineAxis::kMargin, -4);
 }
 
 void TimelinePlot::mousePressEvent(QMouseEvent* event) { mouseMoveEvent(event); }
@@ -98,7 +98,8 @@ void TimelinePlot::paintChanges(QPainter& painter) const {
   const double bottom = area().bottom();
   for (const ChangeMark& mark : document_.changeMarks()) {
     const double x = axis().toX(mark.iteration);
-    painter.drawPolygon(QPolygonF{{x - kMark, bottom}, {x + kMark, bottom}, {x, bottom - 1.6 * kMark}});
+    painter.drawPolygon(
+        QPolygonF{{x - kEventMark, bottom}, {x + kEventMark, bottom}, {x, bottom - 1.6 * kEventMark}});
   }
   painter.setBrush(Qt::NoBrush);
 }
@@ -112,9 +113,9 @@ void TimelinePlot::paintLegend(QPainter& painter, double most) const {
   };
   const auto entry = [&](const QString& text, const QColor& colour, int x) {
     painter.setPen(QPen(colour, 3));
-    painter.drawLine(QPointF(x, kTop / 2), QPointF(x + 12, kTop / 2));
+    painter.drawLine(QPointF(x, kTracksTop / 2), QPointF(x + 12, kTracksTop / 2));
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRectF(x + 18, 0, room, kTop), Qt::AlignLeft | Qt::AlignVCenter, text);
+    painter.drawText(QRectF(x + 18, 0, room, kTracksTop), Qt::AlignLeft | Qt::AlignVCenter, text);
   };
   const QString volume = elided(tr("Volume, up to %1").arg(millilitres(most)), room - kKey);
   entry(volume, kVolume, TimelineAxis::kMargin);
@@ -141,11 +142,11 @@ void TimelinePlot::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(faint, 1));
   for (const IterationSummary& s : document_.summaries())
     if (s.events > 0)
-      painter.drawLine(QPointF(a.toX(s.iteration), kTop), QPointF(a.toX(s.iteration), area().bottom()));
+      painter.drawLine(QPointF(a.toX(s.iteration), kTracksTop), QPointF(a.toX(s.iteration), area().bottom()));
   painter.setPen(QPen(kLeak, 2, Qt::DashLine));
   for (const FoundLeak& found : document_.leaks()) {
     const double x = a.toX(found.leak.iteration);
-    painter.drawLine(QPointF(x, kTop), QPointF(x, area().bottom()));
+    painter.drawLine(QPointF(x, kTracksTop), QPointF(x, area().bottom()));
   }
   const double most = mostVolume(document_.summaries());
   paintCurve(painter, 1, &IterationSummary::movingShare, kMoving);
@@ -154,7 +155,7 @@ void TimelinePlot::paintEvent(QPaintEvent*) {
   if (document_.iteration() >= 0) {
     painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
     const double x = a.toX(document_.iteration());
-    painter.drawLine(QPointF(x, kTop), QPointF(x, area().bottom()));
+    painter.drawLine(QPointF(x, kTracksTop), QPointF(x, area().bottom()));
   }
   paintLegend(painter, most);
 }

@@ -6,10 +6,10 @@
 namespace handlebody::ui {
 
 namespace {
-const QColor kAccent(0x3B, 0x82, 0xC4), kRolledBack(0xC2, 0x41, 0x3B);
-constexpr double kMark = 4;    // half the diagonal of the mark of a change, pixels
-constexpr double kStroke = 5;  // height of the mark of what was rolled back, below the line
-constexpr double kHandle = 6;  // radius
+const QColor kSliderAccent(0x3B, 0x82, 0xC4), kRolledBack(0xC2, 0x41, 0x3B);
+constexpr double kTickMark = 4;    // half the diagonal of the mark of a change, pixels
+constexpr double kStroke = 5;      // height of the mark of what was rolled back, below the line
+constexpr double kHandleSize = 6;  // radius
 }  // namespace
 
 TimelineSlider::TimelineSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
@@ -50,7 +50,7 @@ void TimelineSlider::paintEvent(QPaintEvent*) {
   line.setAlphaF(0.35F);
   painter.setPen(QPen(line, 2));
   painter.drawLine(QPointF(a.toX(0), y), QPointF(a.toX(a.last), y));
-  painter.setPen(QPen(kAccent, 2));
+  painter.setPen(QPen(kSliderAccent, 2));
   painter.drawLine(QPointF(a.toX(0), y), QPointF(a.toX(value()), y));
 
   painter.setPen(QPen(kRolledBack, 1.5));
@@ -60,17 +60,17 @@ void TimelineSlider::paintEvent(QPaintEvent*) {
   painter.setBrush(QColor(0xE0, 0x8A, 0x1E));
   for (int mark : changes_) {
     const QPointF centre(a.toX(mark), y);
-    const QPointF diamond[] = {centre + QPointF(0, -kMark - 1), centre + QPointF(kMark, 0),
-                               centre + QPointF(0, kMark + 1), centre + QPointF(-kMark, 0)};
+    const QPointF diamond[] = {centre + QPointF(0, -kTickMark - 1), centre + QPointF(kTickMark, 0),
+                               centre + QPointF(0, kTickMark + 1), centre + QPointF(-kTickMark, 0)};
     painter.drawPolygon(diamond, 4);
   }
-  painter.setBrush(kAccent);
+  painter.setBrush(kSliderAccent);
   painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
-  painter.drawEllipse(QPointF(a.toX(value()), y), kHandle, kHandle);
+  painter.drawEllipse(QPointF(a.toX(value()), y), kHandleSize, kHandleSize);
   if (!hasFocus()) return;
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(palette().color(QPalette::WindowText), 1.5));
-  painter.drawEllipse(QPointF(a.toX(value()), y), kHandle + 2, kHandle + 2);
+  painter.drawEllipse(QPointF(a.toX(value()), y), kHandleSize + 2, kHandleSize + 2);
 }
 
 }  // namespace handlebody::ui

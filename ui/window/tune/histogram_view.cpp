@@ -15,10 +15,10 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kSide = 10;     // pixels left and right for the handles
-constexpr int kLabels = 18;   // pixels under the bars
-constexpr double kReach = 9;  // pixels beside a handle that still grip it
-const QColor kAccent(0x3B, 0x82, 0xC4);
+constexpr int kHistogramSide = 10;  // pixels left and right for the handles
+constexpr int kLabels = 18;         // pixels under the bars
+constexpr double kReach = 9;        // pixels beside a handle that still grip it
+const QColor kHistogramAccent(0x3B, 0x82, 0xC4);
 
 }  // namespace
 
@@ -49,7 +49,9 @@ void HistogramView::describeRange() {
                                   : tr("No range yet"));
 }
 
-QRectF HistogramView::area() const { return QRectF(rect()).adjusted(kSide, 4, -kSide, -kLabels); }
+QRectF HistogramView::area() const {
+  return QRectF(rect()).adjusted(kHistogramSide, 4, -kHistogramSide, -kLabels);
+}
 
 double HistogramView::toX(double intensity) const {
   const double share = (intensity - histogram_.low) / (histogram_.high - histogram_.low);
@@ -135,11 +137,11 @@ void HistogramView::paintBars(QPainter& painter) const {
 
 void HistogramView::paintEnd(QPainter& painter, End end) const {
   const double x = toX(valueOf(end));
-  painter.setPen(
-      QPen(kAccent, active_ == end && hasFocus() ? 3 : 2, automatic_ ? Qt::DashLine : Qt::SolidLine));
+  painter.setPen(QPen(kHistogramAccent, active_ == end && hasFocus() ? 3 : 2,
+                      automatic_ ? Qt::DashLine : Qt::SolidLine));
   painter.drawLine(QPointF(x, area().top()), QPointF(x, area().bottom()));
   painter.setPen(Qt::NoPen);
-  painter.setBrush(kAccent);
+  painter.setBrush(kHistogramAccent);
   painter.drawEllipse(QPointF(x, area().bottom()), 4.5, 4.5);
 }
 
@@ -149,7 +151,7 @@ void HistogramView::paintEvent(QPaintEvent*) {
   painter.fillRect(area(), palette().color(QPalette::Base));
   if (histogram_.counts.empty()) return;
   if (range_) {
-    QColor shade = kAccent;
+    QColor shade = kHistogramAccent;
     shade.setAlphaF(0.22F);
     painter.fillRect(
         QRectF(QPointF(toX(range_->low), area().top()), QPointF(toX(range_->high), area().bottom())), shade);

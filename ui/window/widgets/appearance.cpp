@@ -10,7 +10,7 @@ namespace handlebody::ui {
 
 namespace {
 
-const QColor kAccent(0x2F, 0x74, 0xB5);
+const QColor kThemeAccent(0x2F, 0x74, 0xB5);
 
 QPalette lightPalette() {
   QPalette p(QColor(0xF0, 0xF1, 0xF3));
@@ -23,7 +23,7 @@ QPalette lightPalette() {
   for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     p.setColor(role, QColor(0x20, 0x24, 0x28));
   p.setColor(QPalette::PlaceholderText, QColor(0x5C, 0x64, 0x6C));
-  p.setColor(QPalette::Link, kAccent);
+  p.setColor(QPalette::Link, kThemeAccent);
   return p;
 }
 
@@ -44,7 +44,7 @@ QPalette darkPalette() {
 }
 
 QPalette finished(QPalette p, const QColor& disabledText) {
-  p.setColor(QPalette::Highlight, kAccent);
+  p.setColor(QPalette::Highlight, kThemeAccent);
   p.setColor(QPalette::HighlightedText, Qt::white);
   for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::PlaceholderText})
     p.setColor(QPalette::Disabled, role, disabledText);

@@ -21,7 +21,7 @@ namespace {
 constexpr int kInformationStays = 8000;  // ms
 // Logical pixels: from the rim of the parent; the longest line that is read with ease; the symbol;
 // beside the text of a button.
-constexpr int kDistance = 12, kWidest = 640, kSymbol = 20, kPadding = 6;
+constexpr int kDistance = 12, kWidest = 640, kSymbol = 20, kBarPadding = 6;
 
 QString symbolName(MessageBar::Kind kind) {
   switch (kind) {
@@ -157,7 +157,7 @@ void MessageBar::setAnswers(const std::vector<Answer>& answers) {
   for (const Answer& answer : answers) {
     auto* button = new QPushButton(answer.text, answers_);
     button->setFocusPolicy(Qt::TabFocus);
-    button->setMinimumWidth(button->sizeHint().width() + 2 * kPadding);
+    button->setMinimumWidth(button->sizeHint().width() + 2 * kBarPadding);
     connect(button, &QPushButton::clicked, this, [this, action = answer.action] {
       putAway();
       action();

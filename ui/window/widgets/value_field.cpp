@@ -18,7 +18,7 @@ namespace handlebody::ui {
 namespace {
 
 constexpr qint64 kSameGesture = 1000;  // ms
-const QString kUnknown = QStringLiteral("–");
+const QString kNoNumber = QStringLiteral("–");
 
 NumberField* makeNumber(const ValueSpec& spec, QWidget* parent) {
   auto* number = new NumberField(parent);
@@ -65,15 +65,15 @@ void NumberField::setKnown(bool known, const QString& unit) {
 }
 
 QString NumberField::textFromValue(double value) const {
-  return known_ ? QDoubleSpinBox::textFromValue(value) : kUnknown;
+  return known_ ? QDoubleSpinBox::textFromValue(value) : kNoNumber;
 }
 
 double NumberField::valueFromText(const QString& text) const {
-  return text == kUnknown ? value() : QDoubleSpinBox::valueFromText(text);
+  return text == kNoNumber ? value() : QDoubleSpinBox::valueFromText(text);
 }
 
 QValidator::State NumberField::validate(QString& text, int& position) const {
-  return text == kUnknown ? QValidator::Acceptable : QDoubleSpinBox::validate(text, position);
+  return text == kNoNumber ? QValidator::Acceptable : QDoubleSpinBox::validate(text, position);
 }
 
 ValueField::ValueField(const ValueSpec& spec, QWidget* parent)
