@@ -59,9 +59,11 @@ std::string filled(std::string_view text, const Finding& finding, const ValueWri
 
 namespace {
 
+constexpr double kPlain = 1e15;  // what is larger has an exponent, not hundreds of digits
+
 std::string number(double value, const std::string& format) {
-  char text[400];  // of the largest double without an exponent
-  if (format.empty())
+  char text[64];
+  if (format.empty() || std::abs(value) >= kPlain)
     std::snprintf(text, sizeof text, "%.6g", value);
   else if (format.back() == 'm')
     std::snprintf(text, sizeof text, std::abs(value) >= 100 ? "%.0f" : "%.3g", value);

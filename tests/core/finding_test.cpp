@@ -123,3 +123,9 @@ TEST_CASE("an error says its finding and keeps it", "[finding]") {
   CHECK(saidBy(UsageError("words alone")).kind == FindingKind::other);
   CHECK(sentence(saidBy(UsageError("words alone"))) == "words alone");
 }
+
+TEST_CASE("a number that no place can have is told with an exponent", "[finding]") {
+  const Finding far(FindingKind::seedOutside,
+                    {{"place", std::array{1e300, 20.0, -2e15}}, {"voxel", std::array{1e300, 1.0, 2.0}}});
+  CHECK_THAT(sentence(far), Catch::Matchers::Contains("(1e+300, 20.000000, -2e+15) mm"));
+}

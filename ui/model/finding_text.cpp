@@ -138,6 +138,7 @@ QString number(double value, const std::string& format) {
   if (std::isnan(value)) return QStringLiteral("NaN");
   if (std::isinf(value)) return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
   const QLocale locale;
+  if (std::abs(value) >= 1e15) return locale.toString(value, 'g', 6);
   const int digits = format.empty() || format.back() == 'm' ? (format.empty() ? 6 : 3) : std::stoi(format);
   if (!format.empty() && format.back() == 'f') return locale.toString(value, 'f', digits);
   const int magnitude = value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
