@@ -86,7 +86,7 @@ double ClosestPoint::distance(const Vec3& p, int* hint) const {
     if (node.right == 0) {
       for (int i = node.first; i < node.last; ++i) {
         const int triangle = order_[i];
-        if (!(squaredToBox(p, boxOf(triangle)) < best)) continue;  // a fifth of the work of the distance
+        if (!(squaredToBox(p, boxOf(triangle)) < best)) continue;  // cheaper than the distance
         if (const double squared = squaredTo(p, triangle); squared < best) {
           best = squared;
           nearest = triangle;

@@ -61,7 +61,8 @@ std::vector<std::string> numbered(const std::vector<std::string>& parts, const f
   std::vector<std::string> files;
   for (long long i = *first; *step > 0 ? i <= *last : i >= *last; i += *step) {
     std::string number = std::to_string(i);
-    while (static_cast<int>(number.size()) < *digits) number.insert(0, width[0] == '0' ? "0" : " ");
+    while (static_cast<int>(number.size()) < *digits)
+      number.insert(number.begin(), width[0] == '0' ? '0' : ' ');
     files.push_back((folder / (pattern.substr(0, percent) + number + pattern.substr(letter + 1))).string());
   }
   return files;

@@ -114,7 +114,10 @@ std::string comparisonCsv(const ComparedPair& p) {
     add(std::string("b_") + key, b[key]);
   }
   std::string warnings;
-  for (const Finding& w : p.warnings) warnings += (warnings.empty() ? "" : " ") + sentence(w);
+  for (const Finding& w : p.warnings) {
+    if (!warnings.empty()) warnings += ' ';
+    warnings += sentence(w);
+  }
   add("warnings", warnings);
   return csvLine(names) + csvLine(values);
 }

@@ -314,7 +314,7 @@ void ExportPanel::showAllObjects() {
 }
 
 void ExportPanel::showWhatIsWritten() {
-  const std::string example = "x" + extension().toStdString();
+  const std::string example = QStringLiteral("x").append(extension()).toStdString();
   spaceRow_->setEnabled(isMeshPath(example) || isThreeMfPath(example) || isTetrahedraPath(example));
   const bool isDicom = isDicomSegmentationPath(example) || isDicomStlPath(example);
   form_->setRowVisible(description_, isDicom);
