@@ -6,13 +6,13 @@
 #include "core/errors.h"
 #include "core/io/report/parse.h"
 #include "core/phase.h"
+#include "core/units.h"
 
 namespace handlebody::cli {
 
 namespace {
 
 constexpr int kMaxRuns = 1000;
-constexpr double kMillilitre = 1000;  // mm³
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include "app/cli/csv.h"
 #include "core/errors.h"
 #include "core/io/report/json.h"
+#include "core/units.h"
 
 namespace handlebody::cli {
 
@@ -31,7 +32,6 @@ Json orNull(const std::optional<double>& value) { return value ? Json(*value) : 
 
 //! What was wrong in a frame becomes a warning.
 TimeMeasures timeMeasures(const Json& overTime, std::vector<std::string>& warnings) {
-  constexpr double kMillilitre = 1000;  // mm³
   TimeMeasures m;
   for (const Json& result : overTime.at("results")) {
     ++m.frames;

@@ -18,7 +18,7 @@ using namespace handlebody::test;
 
 namespace {
 
-//! Unsigned bytes of a labelCube of n³ voxels.
+//! Unsigned bytes of a cube of n³ voxels.
 template <typename F>
 std::string labelCube(int n, F&& value) {
   const std::string size = std::to_string(n);

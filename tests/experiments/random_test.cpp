@@ -110,5 +110,5 @@ TEST_CASE("random seeds and parameters never leave an invalid mesh", "[random]")
     CHECK((isGrown || run.maybeRefused));
     grown += isGrown;
   }
-  CHECK(grown >= 7 * runs / 10);
+  CHECK(grown >= 7 * runs / 10);  // 10 to 12 of 12 are measured
 }

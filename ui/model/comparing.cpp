@@ -1,9 +1,8 @@
 #include "ui/model/comparing.h"
 
-#include <QFile>
-
 #include "core/io/meshes/mesh_io.h"
 #include "ui/model/cancellable.h"
+#include "ui/model/file_name.h"
 
 namespace handlebody::ui {
 
@@ -22,7 +21,7 @@ ReferenceLabels labelsOf(LabelFile& file) {
 
 ComparedObject referenceOf(const CompareQuestion& q, std::vector<Finding>& warnings, const TellLabels& tell) {
   if (q.object) return comparedMesh(q.object->name.toStdString(), q.object->mesh->get().mesh);
-  const std::string path = QFile::encodeName(q.path).toStdString();
+  const std::string path = fileName(q.path);
   if (isMeshInputPath(path)) return readCompared(path, {}, warnings);
   LabelFile file(path);
   giveUpIfCancelled();

@@ -1,6 +1,5 @@
 // The Document's time points: which of them is grown in, and the surface carried through the others.
 
-#include <QFile>
 #include <QUndoCommand>
 #include <algorithm>
 
@@ -8,6 +7,7 @@
 #include "core/io/report/frame_files.h"
 #include "core/io/report/polished_frames.h"
 #include "ui/model/document_private.h"
+#include "ui/model/file_name.h"
 
 namespace handlebody::ui {
 
@@ -208,7 +208,7 @@ void Document::Private::exportFrames(const QString& path, CoordinateSpace coordi
     for (FrameResult& r : over.frames)
       if (r.frame == grown) r.mesh = from->get().mesh;
     if (betters) polishFrames(over, [told = polishing(), &label](int) { told(label.name); });
-    const std::string file = QFile::encodeName(path).toStdString();
+    const std::string file = fileName(path);
     if (isMeshPath(file))
       writeFrameMeshes(over, coordinates, file);
     else

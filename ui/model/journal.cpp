@@ -1,4 +1,5 @@
 #include "ui/model/journal.h"
+#include "ui/model/file_name.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -46,8 +47,7 @@ Journal::~Journal() {
 }
 
 void Journal::write(const std::vector<Session>& objects) {
-  background_.postInstead(
-      [objects, path = QFile::encodeName(path_).toStdString()] { ui::write(objects, path); });
+  background_.postInstead([objects, path = fileName(path_)] { ui::write(objects, path); });
 }
 
 void Journal::clear() {

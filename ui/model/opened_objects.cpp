@@ -1,6 +1,5 @@
 #include "ui/model/opened_objects.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 #include <mutex>
@@ -10,6 +9,7 @@
 #include "core/io/report/start_surface.h"
 #include "core/told_error.h"
 #include "ui/model/error_sentence.h"
+#include "ui/model/file_name.h"
 #include "ui/model/opening.h"
 
 namespace handlebody::ui {
@@ -83,7 +83,7 @@ LabelsToOpen labelsToOpen(const QString& path, const std::atomic<bool>& cancelle
     const CancelScope scope(cancelled);
     const std::lock_guard lock(readingVolumes());
     giveUpIfCancelled();
-    LabelFile file(QFile::encodeName(path).toStdString());
+    LabelFile file(fileName(path));
     found.mayOverlap = file.info().layers > 1;
     found.labels = file.labels();
   } catch (const Cancelled&) {
@@ -94,7 +94,7 @@ LabelsToOpen labelsToOpen(const QString& path, const std::atomic<bool>& cancelle
 }
 
 std::vector<OpenedObject> readObjects(const ObjectsToOpen& asked, const Grid& grid) {
-  const std::string file = QFile::encodeName(asked.path).toStdString();
+  const std::string file = fileName(asked.path);
   std::vector<OpenedObject> objects;
   if (isMeshInputPath(file)) {
     objects.push_back({objectOf(file, asked)});

@@ -1,7 +1,6 @@
 #include "ui/model/opening.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <chrono>
 #include <filesystem>
 #include <utility>

@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -18,6 +17,7 @@
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/compared_table.h"
 #include "ui/model/document.h"
+#include "ui/model/file_name.h"
 #include "ui/model/finding_text.h"
 #include "ui/model/translate.h"
 #include "ui/view/distance_colours.h"
@@ -218,7 +218,7 @@ void ComparePage::compareWithObject(int index) {
 
 void ComparePage::refer(const QString& path, const ObjectKey& object) {
   path_ = path;
-  isLabelMap_ = !path.isEmpty() && !isMeshInputPath(QFile::encodeName(path).toStdString());
+  isLabelMap_ = !path.isEmpty() && !isMeshInputPath(fileName(path));
   object_ = object;
   objectName_.clear();
   knowsLabels_ = false;

@@ -22,6 +22,7 @@
 #include "core/io/report/frame_files.h"
 #include "ui/model/document.h"
 #include "ui/model/error_sentence.h"
+#include "ui/model/file_name.h"
 #include "ui/model/finding_text.h"
 #include "ui/model/time_series.h"
 #include "ui/window/export/export_panel.h"
@@ -239,7 +240,7 @@ void FileWork::connectObjects() {
 }
 
 void FileWork::open(const QString& path, const VolumeSelection& selection) {
-  const std::string name = QFile::encodeName(path).toStdString();
+  const std::string name = fileName(path);
   const bool isMesh = isMeshInputPath(name);
   if (isMesh && !document_.hasVolume())
     return messages_.show(MessageBar::Kind::error,
@@ -454,7 +455,7 @@ QStringList FileWork::frameFiles(const QString& path) const {
   std::vector<int> frames{document_.time().grownFrame()};
   for (const auto& [frame, carried] : document_.time().carried()) frames.push_back(frame);
   QStringList files;
-  for (const std::string& file : frameMeshPaths(QFile::encodeName(path).toStdString(), frames))
+  for (const std::string& file : frameMeshPaths(fileName(path), frames))
     files << QFile::decodeName(file.c_str());
   return files;
 }
@@ -494,7 +495,7 @@ void FileWork::saveText(const QString& title, const QString& what, const QString
       {title, suggestedBase() + QLatin1Char('_') + what, {extension}, QStringLiteral("*%1").arg(extension)});
   if (path.isEmpty()) return;
   try {
-    writeTextAtomically(QFile::encodeName(path).toStdString(), text);
+    writeTextAtomically(fileName(path), text);
     messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
   } catch (const std::exception& error) {
     messages_.show(MessageBar::Kind::error, QString::fromUtf8(error.what()));
@@ -507,7 +508,7 @@ void FileWork::saveFile(const QString& title, const QString& what, const QString
       {title, suggestedBase() + QLatin1Char('_') + what, {extension}, QStringLiteral("*%1").arg(extension)});
   if (path.isEmpty()) return;
   inBackground(
-      this, [write, name = QFile::encodeName(path).toStdString()] { return whyNot([&] { write(name); }); },
+      this, [write, name = fileName(path)] { return whyNot([&] { write(name); }); },
       [this, path](const QString& error) {
         if (error.isEmpty())
           messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));

@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "core/io/meshes/mesh_io.h"
+#include "ui/model/file_name.h"
 #include "ui/window/open/label_choice.h"
 #include "ui/window/widgets/in_background.h"
 #include "ui/window/widgets/panel_tools.h"
@@ -30,7 +30,7 @@ constexpr int kMaxTunnels = 999;
 }  // namespace
 
 OpenObjectsDialog::OpenObjectsDialog(const QString& path, QWidget* parent)
-    : QDialog(parent), path_(path), isMesh_(isMeshInputPath(QFile::encodeName(path).toStdString())) {
+    : QDialog(parent), path_(path), isMesh_(isMeshInputPath(fileName(path))) {
   setWindowTitle(tr("Open objects"));
   setAttribute(Qt::WA_DeleteOnClose);
   setMinimumWidth(kWidth);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/units.h"
 #include "core/volume/anatomy.h"
 #include "ui/model/document.h"
 #include "ui/model/time_series.h"
@@ -20,7 +21,6 @@ namespace handlebody::ui {
 namespace {
 
 constexpr double kPlotTop = 22, kPlotBottom = 20, kLeft = 50, kRight = 22;  // pixels around the curve
-constexpr double kMillilitre = 1000;                                        // mm³
 constexpr double kRoom = 0.12;                                              // of the range, above and below
 
 }  // namespace
