@@ -37,7 +37,7 @@ Contour::Contour(std::shared_ptr<const PythonVolume> volume, Session asked)
               told_.session.constraints) {
   told_.session.polish = true;
   tellBeginning(active_, told_);
-  CandidateSearch(active_).tell(told_);
+  tellCandidates(active_, false, told_);
   tellIteration();
 }
 

@@ -53,6 +53,9 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
   addSensitivity(command, outputs.sensitivity);
   addPolish(command, outputs.polish);
   addMesherSeconds(command, outputs.mesherSeconds);
+  command.add_flag("--list-candidates", outputs.listsCandidates,
+                   "The report lists what the clicks may mean also where a seed's radius or --object says it "
+                   "and the image shows a boundary all around; takes as long as a growth");
   command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
 }
 
@@ -282,15 +285,13 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested,
                         report.session.constraints);
   tellBeginning(contour, report);
-  CandidateSearch candidates(contour);
+  tellCandidates(contour, outputs.listsCandidates, report);
   report.seconds.prepare = watch.lap();
 
   const OnHeld onHeld = report.session.constraints.topology.asks ? outputs.onHeld : OnHeld::hold;
   contour =
       evolve(std::move(contour), report, {outputs.onLeak, onHeld, !outputs.trace.empty(), outputs.quiet});
   report.seconds.evolve = watch.lap();
-  candidates.tell(report);
-  report.seconds.prepare += watch.lap();
 
   CertifiedMesh made = grownMesh(contour), unpolished = made;
   PolishOptions polishing;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/evolution/boundary_evidence.h"
 #include "core/evolution/click_faults.h"
 #include "core/evolution/region_image.h"
 #include "core/phase.h"
@@ -37,9 +38,9 @@ Boundary strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds,
 }
 
 //! A seed with a radius, or the kind of object, says more than a click: what is meant is the strongest
-//! boundary of that kind around the seed, as far as it is there. Further clicks correct the likeliest region
-//! instead.
-bool isMeantByBoundary(const std::vector<Seed>& clicks, const Parameters& p) {
+//! boundary of that kind around the seed, as far as the image shows it there. Further clicks correct the
+//! likeliest region instead.
+bool mayMeanBoundary(const std::vector<Seed>& clicks, const Parameters& p) {
   const auto any = [&](auto&& f) { return std::any_of(clicks.begin(), clicks.end(), f); };
   if (p.candidate != 1 || any([](const Seed& s) { return s.background; })) return false;
   return p.object != ObjectKind::automatic || any([](const Seed& s) { return s.radius.has_value(); });
@@ -72,7 +73,7 @@ ObjectChoices choicesBeside(const Volume& volume, const std::vector<Seed>& click
           model->isCloseChoice && isItselfABoundary(*model) && isSameObject(volume, meant, clicks, *model)};
 }
 
-ClickedObject meantObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
+ClickedObject clearObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
                           const ObjectChoice& meant, std::shared_ptr<const FieldOfView> view) {
   ClickedObject out;
   takeBoundary(out, meant, imageOf(meant));
@@ -138,13 +139,13 @@ ClickedObject withoutModel(const Volume& volume, const std::vector<Seed>& seeds,
   return out;
 }
 
-//! Of bare clicks: the likeliest region, or the boundary next to it, corrected by further clicks.
+//! The likeliest region, or the boundary next to it, corrected by further clicks. `plausible`: a boundary
+//! that is better than both where it is of the same object; may be null.
 ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
-                              const std::shared_ptr<const FieldOfView>& view, ObjectMemory& memory) {
+                              const std::shared_ptr<const FieldOfView>& view, ObjectMemory& memory,
+                              const ObjectChoice* plausible) {
   const std::vector<Seed> seeds = seedsOfSide(clicks, false);
-  // What has been looked for as a boundary, in vain, is looked for as a region from all clicks at once.
-  const auto first = isMeantByBoundary(clicks, p) ? std::make_shared<const FirstObject>()
-                                                  : memory.first(volume, seeds[0], p, view);
+  const auto first = memory.first(volume, seeds[0], p, view);
   std::optional<ObjectModel> model = first->model;
   if (clicks.size() > 1 || !model) {
     ObjectQuery query = queryOf(clicks, p);
@@ -162,7 +163,11 @@ ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& cli
   out.range = {model->low, model->high};
   out.neckRadius = model->neckRadius;
   out.isCutOff = model->isCutOff;
-  if (!first->boundary) {
+  if (plausible && isSameObject(volume, *plausible, clicks, *model)) {
+    takeBoundary(out, *plausible, imageOf(*plausible));
+    out.neckRadius = 0;
+    out.isCutOff = false;
+  } else if (!first->boundary) {
     out.image = imageOfRegion(volume, *model, p.smoothing, view);
   } else if (model->isCorrected) {
     out.image = imageOfCorrected(first->image, *model);
@@ -193,11 +198,14 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   requireSeedsInside(volume.grid, seeds);
   std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);
   if (view && view->isPaddingNear(volume.grid.toIndex(seeds[0].centre))) view = nullptr;
-  if (isMeantByBoundary(clicks, p))
-    if (const Boundary meant = strongestBoundary(volume, seeds, p); meant.choice)
-      return meantObject(volume, clicks, p, *meant.choice, std::move(view));
+  Boundary boundary;
+  if (mayMeanBoundary(clicks, p)) boundary = strongestBoundary(volume, seeds, p);
+  const BoundaryEvidence evidence =
+      boundary.choice ? evidenceOf(*boundary.choice, seeds) : BoundaryEvidence();
+  if (evidence.isClear()) return clearObject(volume, clicks, p, *boundary.choice, std::move(view));
   ObjectMemory own;
-  ClickedObject out = likeliestObject(volume, clicks, p, view, memory ? *memory : own);
+  ClickedObject out = likeliestObject(volume, clicks, p, view, memory ? *memory : own,
+                                      evidence.isPlausible() ? &*boundary.choice : nullptr);
   out.smoothing = out.image->volume().sigma();
   return out;
 }

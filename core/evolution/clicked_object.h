@@ -73,9 +73,10 @@ class ObjectMemory {
 };
 
 //! From clicks to the object: the strongest boundary around the seeds (object_range.h) where one has a radius
-//! or the kind of object is given; else what the first click means (first_object.h), corrected by the others.
-//! Throws as chooseObject; SeedError also if there is nothing but one intensity, or no image, at the first
-//! click, and for clicks that contradict each other. `memory` may be null; the object does not depend on it.
+//! or the kind of object is given and the image shows it all around (boundary_evidence.h); else what the
+//! first click means (first_object.h), corrected by the others. Throws as chooseObject; SeedError also if
+//! there is nothing but one intensity, or no image, at the first click, and for clicks that contradict each
+//! other. `memory` may be null; the object does not depend on it.
 ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks,
                                 const Parameters& parameters, ObjectMemory* memory = nullptr);
 

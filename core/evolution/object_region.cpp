@@ -8,6 +8,7 @@
 #include <new>
 
 #include "core/evolution/level_test.h"
+#include "core/evolution/neck.h"
 
 namespace handlebody {
 
@@ -17,8 +18,11 @@ using Voxel = ObjectRegion::Voxel;
 
 class ObjectFlood {
  public:
-  ObjectFlood(const SmoothedVolume& volume, double sign, const LevelField& levels)
-      : volume_(volume), isInside_(sign, levels), state_(allUnknown(volume.grid().voxelCount())) {
+  ObjectFlood(const SmoothedVolume& volume, double sign, const LevelField& levels, const Barrier* barrier)
+      : volume_(volume),
+        barrier_(barrier),
+        isInside_(sign, levels),
+        state_(allUnknown(volume.grid().voxelCount())) {
     const auto& n = volume.grid().size;
     stride_ = {1, static_cast<std::size_t>(n[0]),
                static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1])};
@@ -54,7 +58,7 @@ class ObjectFlood {
   }
 
  private:
-  enum class State : std::uint8_t { unknown = 0, inside, outside, noImage };
+  enum class State : std::uint8_t { unknown = 0, inside, outside, noImage, closed };
   struct Free {
     void operator()(State* states) const { std::free(states); }
   };
@@ -92,6 +96,7 @@ class ObjectFlood {
     State& state = state_[at];
     if (state != State::unknown) return state;
     if (volume_.isPadding(at)) return state = State::noImage;
+    if (barrier_ && barrier_->openness(Vec3(v[0], v[1], v[2])) <= 0) return state = State::closed;
     const bool inside = isInside_.at(volume_.at(v[0], v[1], v[2]), Vec3(v[0], v[1], v[2]));
     state = inside ? State::inside : State::outside;
     if (state == State::inside) region_.voxels.push_back(v);
@@ -99,6 +104,7 @@ class ObjectFlood {
   }
 
   const SmoothedVolume& volume_;
+  const Barrier* barrier_;  // may be null
   LevelTest isInside_;
   std::array<std::size_t, 3> stride_{};
   States state_;  // per voxel
@@ -108,8 +114,8 @@ class ObjectFlood {
 }  // namespace
 
 ObjectRegion floodObject(const SmoothedVolume& volume, const std::vector<Vec3>& seeds, double sign,
-                         const LevelField& levels, std::size_t mostVoxels) {
-  ObjectFlood flood(volume, sign, levels);
+                         const LevelField& levels, std::size_t mostVoxels, const Barrier* barrier) {
+  ObjectFlood flood(volume, sign, levels, barrier);
   for (const Vec3& s : seeds) flood.start(s);
   return flood.run(mostVoxels);
 }

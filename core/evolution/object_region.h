@@ -10,6 +10,8 @@
 
 namespace handlebody {
 
+class Barrier;  // neck.h
+
 //! Yes or no for each voxel of a box, or of a region in its order: 0 is no.
 using VoxelMarks = std::vector<unsigned char>;
 
@@ -30,8 +32,9 @@ struct ObjectRegion {
 };
 
 //! Floods from the voxels around `seeds` (continuous indices) over voxels whose intensity times `sign` is
-//! below the level there times `sign`: +1 for a dark object, -1 for a bright one. Padding is outside.
+//! below the level there times `sign`: +1 for a dark object, -1 for a bright one. Padding is outside. What
+//! `barrier` (may be null) closes is, too, and has no faces.
 ObjectRegion floodObject(const SmoothedVolume& volume, const std::vector<Vec3>& seeds, double sign,
-                         const LevelField& levels, std::size_t mostVoxels);
+                         const LevelField& levels, std::size_t mostVoxels, const Barrier* barrier = nullptr);
 
 }  // namespace handlebody

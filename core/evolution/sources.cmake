@@ -2,6 +2,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/active_contour.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/active_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/adaptation_rounds.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/boundary_evidence.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/click_faults.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/clicked_object.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/collapsed_components.cpp

@@ -95,7 +95,8 @@ TEST_CASE("at a terminal a growth says what it is at before its first iteration,
   }
 }
 
-TEST_CASE("waiting for what else the clicks may mean is a phase", "[cli][progress]") {
+TEST_CASE("what else clear clicks may mean is looked for when it is asked for, as a phase",
+          "[cli][progress]") {
   const TempFolder folder;
   const PhantomFile file = makePhantomFile(folder);
   const auto& at = file.json.at("seed").at("centre");
@@ -105,7 +106,10 @@ TEST_CASE("waiting for what else the clicks may mean is a phase", "[cli][progres
   std::vector<std::string> told;
   const handlebody::PhaseScope scope([&](const char* phase) { told.emplace_back(phase); });
   handlebody::RunReport report;
-  handlebody::CandidateSearch(contour).tell(report);
+  handlebody::tellCandidates(contour, false, report);
+  CHECK(told.empty());
+  CHECK(report.candidates.empty());
+  handlebody::tellCandidates(contour, true, report);
   CHECK(told == std::vector<std::string>{handlebody::kFindingPhase, ""});
   CHECK_FALSE(report.candidates.empty());
 }

@@ -403,7 +403,8 @@ TEST_CASE("a surface that the curvature holds at its seed comes with a warning",
 TEST_CASE("a close choice is told with a report and without one", "[cli][segment]") {
   const TempFolder folder;
   const PhantomFile torus = makePhantomFile(folder, "torus.mha", {"--noise", "0.15"}, "torus");
-  const std::vector<std::string> plain{"segment", torus.path, "--seed", torus.seed, "-o", folder / "m.stl"};
+  const std::vector<std::string> plain{"segment",           torus.path, "--seed",        torus.seed,
+                                       "--list-candidates", "-o",       folder / "m.stl"};
   std::vector<std::string> reported = plain;
   reported.insert(reported.end(), {"--report", folder / "r.json"});
   const Outcome with = runCli(reported), without = runCli(plain);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 
-#include "core/cancellation.h"
 #include "core/evolution/clicked_object.h"
 #include "core/phase.h"
 #include "core/told_error.h"
@@ -14,24 +14,12 @@ void tellBeginning(const ActiveContour& contour, RunReport& report) {
   report.session.resolved = contour.parameters();
 }
 
-CandidateSearch::CandidateSearch(const ActiveContour& contour) : choices_(contour.choices()) {
-  if (choices_->areKnown()) return;
-  thread_ = std::jthread([choices = choices_, cancelled = CancelScope::current()] {
-    const CancelScope scope(cancelled);
-    try {
-      choices->get();
-    } catch (...) {  // tell() tries again, and throws it where it is heard
-    }
-  });
-}
-
-void CandidateSearch::tell(RunReport& report) {
-  if (thread_.joinable()) {
-    const Phase phase(kFindingPhase);  // the thread tells nobody
-    thread_.join();
-  }
-  report.candidates = choices_->get().candidates;
-  report.isCloseChoice = choices_->get().isCloseChoice;
+void tellCandidates(const ActiveContour& contour, bool asked, RunReport& report) {
+  const std::shared_ptr<const AskedChoices> choices = contour.choices();
+  if (!asked && !choices->areKnown()) return;
+  const Phase phase(kFindingPhase);
+  report.candidates = choices->get().candidates;
+  report.isCloseChoice = choices->get().isCloseChoice;
 }
 
 void tellState(const ActiveContour& contour, RunReport& report) {

@@ -1,9 +1,6 @@
 #pragma once
 // What is told of a contour in the report of its run: what the command line and the Python module share.
 
-#include <memory>
-#include <thread>
-
 #include "core/evolution/active_contour.h"
 #include "core/io/report/result.h"
 
@@ -12,18 +9,10 @@ namespace handlebody {
 //! Of the contour as it was made: parameters as used.
 void tellBeginning(const ActiveContour& contour, RunReport& report);
 
-//! Looks for the objects that the clicks of a contour may mean, while its surface grows. Cancelled with the
-//! work that makes it, whose CancelScope outlives it.
-class CandidateSearch {
- public:
-  explicit CandidateSearch(const ActiveContour& contour);
-  //! Waits for them. Throws what the search threw, Cancelled.
-  void tell(RunReport& report);
-
- private:
-  std::shared_ptr<const AskedChoices> choices_;
-  std::jthread thread_;
-};
+//! The objects that the clicks of a contour may mean. Where the image shows a boundary all around leaves no
+//! doubt they have not been looked for, which takes as long as a growth: only if they are `asked` for. Throws
+//! Cancelled.
+void tellCandidates(const ActiveContour& contour, bool asked, RunReport& report);
 
 //! Of the contour as it is now: iterations, why it stopped, what the constraints hold.
 void tellState(const ActiveContour& contour, RunReport& report);

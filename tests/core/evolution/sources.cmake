@@ -2,6 +2,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/active_contour_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/active_vertices_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/adaptive_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/boundary_evidence_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/click_faults_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/clicked_object_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/contour_reports_test.cpp
