@@ -1,10 +1,13 @@
 #include "core/evolution/clicked_object.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/evolution/boundary_evidence.h"
 #include "core/evolution/click_faults.h"
 #include "core/evolution/region_image.h"
+#include "core/evolution/region_levels.h"
+#include "core/evolution/start_object.h"
 #include "core/phase.h"
 #include "core/threads.h"
 #include "core/told_error.h"
@@ -107,9 +110,12 @@ std::optional<ObjectModel> ObjectMemory::find(const Volume& volume, const Object
 
 std::shared_ptr<const FirstObject> ObjectMemory::first(const Volume& volume, const Seed& seed,
                                                        const Parameters& p,
-                                                       const std::shared_ptr<const FieldOfView>& view) {
+                                                       const std::shared_ptr<const FieldOfView>& view,
+                                                       const std::shared_ptr<const RegionInCells>& given) {
   const auto findWith = [&](ObjectFinder& finder) {
-    const std::optional<ObjectModel> model = finder.find(volume, queryOf({seed}, p), view);
+    ObjectQuery query = queryOf({seed}, p);
+    query.given = given;
+    const std::optional<ObjectModel> model = finder.find(volume, query, view);
     return std::make_shared<const FirstObject>(model ? firstObjectOf(volume, seed, p, *model)
                                                      : FirstObject());
   };
@@ -119,10 +125,10 @@ std::shared_ptr<const FirstObject> ObjectMemory::first(const Volume& volume, con
     return findWith(own);
   }
   const bool isKnown = first_ && first_->voxels == volume.voxels && first_->seed == seed &&
-                       chooseSameImage(first_->parameters, p);
+                       chooseSameImage(first_->parameters, p) && isSame(first_->given.get(), given.get());
   if (!isKnown) {
     first_.reset();
-    first_ = KnownFirst{volume.voxels, seed, p, findWith(finder_)};
+    first_ = KnownFirst{volume.voxels, seed, p, given, findWith(finder_)};
   }
   return first_->object;
 }
@@ -139,16 +145,36 @@ ClickedObject withoutModel(const Volume& volume, const std::vector<Seed>& seeds,
   return out;
 }
 
+//! What is told of a model. Of a given one no bounds of intensity are known.
+ClickedObject described(const ObjectModel& model) {
+  ClickedObject out;
+  out.candidate = model.chosen;
+  out.choices = std::make_shared<const AskedChoices>(ObjectChoices{model.candidates, model.isCloseChoice});
+  out.kind = model.rise > 0 ? ObjectKind::dark : ObjectKind::bright;
+  out.range = {model.low, model.high};
+  if (model.isGiven) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    out.kind = levelsOn(*model.work, model.region, model.work->cells().grid).kind;
+    out.range = {-kInfinity, kInfinity};
+  }
+  out.neckRadius = model.neckRadius;
+  out.isCutOff = model.isCutOff;
+  return out;
+}
+
 //! The likeliest region, or the boundary next to it, corrected by further clicks. `plausible`: a boundary
-//! that is better than both where it is of the same object; may be null.
+//! that is better than both where it is of the same object; may be null. `given`: what the first click means,
+//! where that is known; else null.
 ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
                               const std::shared_ptr<const FieldOfView>& view, ObjectMemory& memory,
-                              const ObjectChoice* plausible) {
+                              const ObjectChoice* plausible,
+                              const std::shared_ptr<const RegionInCells>& given) {
   const std::vector<Seed> seeds = seedsOfSide(clicks, false);
-  const auto first = memory.first(volume, seeds[0], p, view);
+  const auto first = memory.first(volume, seeds[0], p, view, given);
   std::optional<ObjectModel> model = first->model;
   if (clicks.size() > 1 || !model) {
     ObjectQuery query = queryOf(clicks, p);
+    query.given = given;
     // A boundary that is shown lies up to a cell beside the region that it was found next to. A region's own
     // cells are better than those of its smooth surface: they would be smoothed once more.
     if (first->boundary)
@@ -156,13 +182,7 @@ ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& cli
     model = memory.find(volume, query, view);
   }
   if (!model) return withoutModel(volume, seeds, p);
-  ClickedObject out;
-  out.candidate = model->chosen;
-  out.choices = std::make_shared<const AskedChoices>(ObjectChoices{model->candidates, model->isCloseChoice});
-  out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;
-  out.range = {model->low, model->high};
-  out.neckRadius = model->neckRadius;
-  out.isCutOff = model->isCutOff;
+  ClickedObject out = described(*model);
   if (plausible && isSameObject(volume, *plausible, clicks, *model)) {
     takeBoundary(out, *plausible, imageOf(*plausible));
     out.neckRadius = 0;
@@ -180,9 +200,12 @@ ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& cli
 
 }  // namespace
 
-ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
-                                ObjectMemory* memory) {
+ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& asked, const Parameters& p,
+                                ObjectMemory* memory, const StartSurface* start) {
   const Phase phase(kFindingPhase);
+  std::vector<Seed> clicks = asked;
+  const bool isStartAlone = start && seedsOfSide(asked, false).empty();
+  if (isStartAlone) clicks.push_back(seedWithin(*start));
   const std::vector<Seed> seeds = seedsOfSide(clicks, false);
   requireClicksInside(volume.grid, clicks);
   if (std::optional<Finding> fault = contradictionOf(volume.grid, clicks)) throw Told<SeedError>(*fault);
@@ -202,10 +225,16 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   if (mayMeanBoundary(clicks, p)) boundary = strongestBoundary(volume, seeds, p);
   const BoundaryEvidence evidence =
       boundary.choice ? evidenceOf(*boundary.choice, seeds) : BoundaryEvidence();
-  if (evidence.isClear()) return clearObject(volume, clicks, p, *boundary.choice, std::move(view));
+  if (evidence.isClear() && !(isStartAlone && outlinesPart(*start, *boundary.choice)))
+    return clearObject(volume, clicks, p, *boundary.choice, std::move(view));
+  std::shared_ptr<const RegionInCells> given;
+  if (start && p.candidate == 1) {
+    given = cellsWithin(*start, volume.grid);
+    if (!isStartAlone) clicks.insert(clicks.begin(), seedWithin(*start));
+  }
   ObjectMemory own;
   ClickedObject out = likeliestObject(volume, clicks, p, view, memory ? *memory : own,
-                                      evidence.isPlausible() ? &*boundary.choice : nullptr);
+                                      evidence.isPlausible() ? &*boundary.choice : nullptr, given);
   out.smoothing = out.image->volume().sigma();
   return out;
 }

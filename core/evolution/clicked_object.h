@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/evolution/constraints.h"
 #include "core/evolution/first_object.h"
 
 namespace handlebody {
@@ -55,16 +56,18 @@ class ObjectMemory {
   //! As ObjectFinder::find.
   std::optional<ObjectModel> find(const Volume& volume, const ObjectQuery& query,
                                   std::shared_ptr<const FieldOfView> view);
-  //! What one click alone means.
+  //! What one click alone means: what is `given`, if that is not null.
   std::shared_ptr<const FirstObject> first(const Volume& volume, const Seed& seed,
                                            const Parameters& parameters,
-                                           const std::shared_ptr<const FieldOfView>& view);
+                                           const std::shared_ptr<const FieldOfView>& view,
+                                           const std::shared_ptr<const RegionInCells>& given);
 
  private:
   struct KnownFirst {
     std::shared_ptr<const void> voxels;  // of the volume
     Seed seed;
     Parameters parameters;
+    std::shared_ptr<const RegionInCells> given;
     std::shared_ptr<const FirstObject> object;
   };
   std::mutex guard_;
@@ -74,10 +77,14 @@ class ObjectMemory {
 
 //! From clicks to the object: the strongest boundary around the seeds (object_range.h) where one has a radius
 //! or the kind of object is given and the image shows it all around (boundary_evidence.h); else what the
-//! first click means (first_object.h), corrected by the others. Throws as chooseObject; SeedError also if
-//! there is nothing but one intensity, or no image, at the first click, and for clicks that contradict each
-//! other. `memory` may be null; the object does not depend on it.
+//! first click means (first_object.h), corrected by the others. With a surface to begin with (`start`, may be
+//! null) the first click is its deepest place, and means what it encloses (start_object.h); but where no
+//! other is given and there is a clear boundary around it, of which the surface is no part (outlinesPart), it
+//! means that. Throws as chooseObject; SeedError also if there is nothing but one intensity, or no image, at
+//! the first click, and for clicks that contradict each other. `memory` may be null; the object does not
+//! depend on it.
 ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks,
-                                const Parameters& parameters, ObjectMemory* memory = nullptr);
+                                const Parameters& parameters, ObjectMemory* memory = nullptr,
+                                const StartSurface* start = nullptr);
 
 }  // namespace handlebody

@@ -9,7 +9,7 @@
 #include "core/errors.h"
 #include "core/evolution/contour_state.h"
 #include "core/evolution/seeds.h"
-#include "core/geometry/triangle_distance.h"
+#include "core/evolution/start_object.h"
 #include "core/indices.h"
 #include "core/mesh/structure.h"
 #include "core/phase.h"
@@ -21,8 +21,7 @@ namespace handlebody {
 namespace {
 
 // Lengths as parts of the target edge length.
-constexpr double kLongest = 1.4;    // the paper's bound s
-constexpr double kStartBall = 0.8;  // of the depth of a place in a surface to begin with
+constexpr double kLongest = 1.4;  // the paper's bound s
 constexpr double kShortest = 0.55;
 constexpr double kStep =
     0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
@@ -31,16 +30,6 @@ constexpr double kStepVoxels = 0.9;  // and never further than this many voxels 
 // more (docs/adaptive.md).
 constexpr double kWideEdges = 6;
 constexpr double kAgrees = 0.5;  // voxels between a boundary and a surface that agree
-
-//! A surface says more than a click at its deepest place: a ball there is all of the object.
-Seed seedWithin(const StartSurface& start) {
-  // To the nearest face: vertices may be far apart.
-  double least = std::numeric_limits<double>::infinity();
-  const auto& p = start.mesh->points;
-  for (const Triangle& t : start.mesh->triangles)
-    least = std::min(least, squaredDistance(start.inside, p[t[0]], p[t[1]], p[t[2]]));
-  return {start.inside, kStartBall * std::sqrt(least), false};
-}
 
 }  // namespace
 
@@ -192,13 +181,10 @@ void ActiveContour::State::beginWithStart() {
 }
 
 //! Where nothing is to grow the image is not asked.
-ClickedObject objectOf(const Volume& volume, std::vector<Seed> seeds, const Parameters& parameters,
+ClickedObject objectOf(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters,
                        const std::optional<StartSurface>& start, ObjectMemory* memory) {
   if (!start) return findClickedObject(volume, seeds, parameters, memory);
-  if (!start->isDone) {
-    if (seedsOfSide(seeds, false).empty()) seeds.push_back(seedWithin(*start));
-    return findClickedObject(volume, seeds, parameters, memory);
-  }
+  if (!start->isDone) return findClickedObject(volume, seeds, parameters, memory, &*start);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ClickedObject object;
   object.range = {-kInfinity, kInfinity};

@@ -23,7 +23,7 @@ namespace handlebody {
 inline constexpr int kFitsIntoCache = 3000;  // vertices: any order of them will do
 
 //! What the clicks mean; where there are none inside, what a start encloses.
-ClickedObject objectOf(const Volume& volume, std::vector<Seed> seeds, const Parameters& parameters,
+ClickedObject objectOf(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters,
                        const std::optional<StartSurface>& start, ObjectMemory* memory);
 
 //! What a contour is between two steps. Each part says what it owns; only here is it known how they are

@@ -15,6 +15,9 @@ namespace {
 
 // An edge of half a step of so many standard deviations of the noise is trusted for a whole cell.
 constexpr double kTrusted = 2;
+// Of a region that is given, for half a cell. 36 labels of real volumes with surfaces a voxel and a half off
+// (root mean square; Dice .910) end at .897 with it, at .891 with a whole cell, at .893 with none.
+constexpr double kTrustedBesideGiven = 0.5;
 constexpr double kNextTo = 1.5;  // cells: a boundary that is that near to the region's surface is its own
 // Standard deviations that are tried, in voxels, and the part of the half-step that noise may be.
 constexpr std::array<double, 6> kSigmas{0.5, 0.7, 1.0, 1.3, 1.6, 2.0};
@@ -53,7 +56,8 @@ Edges edgesOf(const ObjectModel& model, const KnownLevel& known = {}) {
   const CellGrid& cells = model.work->cells();
   const double cell = cells.grid.meanSpacing();
   // A star-shaped region was chosen because the image around it leads astray: its own surface counts.
-  const double trust = model.isStar ? 0 : std::min(1.0, halfStep / (kTrusted * model.noise));
+  const double most = model.isStar ? 0 : model.isGiven ? kTrustedBesideGiven : 1;
+  const double trust = most * std::min(1.0, halfStep / (kTrusted * model.noise));
   return {{std::make_shared<RegionField>(*model.work, model.region), cells.grid, levels.low, levels.high,
            levels.side, trust * cell, cell, false, model.clicks},
           halfStep};

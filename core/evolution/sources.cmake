@@ -52,6 +52,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/size_field.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/space_tree.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/step_check.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/start_object.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/step_edits.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/step_transaction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/convergence.cpp

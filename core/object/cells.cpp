@@ -107,6 +107,10 @@ std::array<int, 3> CellGrid::nearest(const Vec3& world) const {
   return cell;
 }
 
+bool isSame(const CellGrid& a, const CellGrid& b) {
+  return a.low == b.low && a.factor == b.factor && a.grid.size == b.grid.size;
+}
+
 CellGrid cellsAround(const Grid& volume, const Vec3& centre, double reach, std::size_t most) {
   return cellsAround(volume, {{centre, reach}}, most);
 }

@@ -38,6 +38,8 @@ struct CellGrid {
   std::array<int, 3> nearest(const Vec3& world) const;
   bool contains(const Vec3& world) const { return grid.contains(grid.toIndex(world)); }
 };
+//! The same cells of one volume.
+bool isSame(const CellGrid& a, const CellGrid& b);
 
 //! The voxels within `reach` (mm) around a point, in the finest cells that are no more than `most`: the axis
 //! of the finest cells is made coarser first.

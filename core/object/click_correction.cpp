@@ -21,9 +21,11 @@ std::vector<CellClick> clicksOf(const std::vector<GivenClick>& clicks, bool isIn
 }
 
 Region tidied(const WorkImage& work, Region region, const std::vector<GivenClick>& done,
-              const ObjectPolicy& policy) {
+              const ObjectPolicy& policy, const std::vector<Vec3>& parts) {
   std::vector<std::size_t> holding;
   for (const CellClick& c : clicksOf(done, true)) holding.push_back(c.cell);
+  const CellGrid& cells = work.cells();
+  for (const Vec3& place : parts) holding.push_back(cells.at(cells.nearest(place)));
   keepParts(work, region, holding, policy.cavity);
   return region;
 }
@@ -103,7 +105,7 @@ class Correction {
                              {click_.click, click_.isInside, policy_.displaced * depth_,
                               policy_.displacedWidth * radius_, clicksOf(corrected_.done, !click_.isInside),
                               policy_.displacedEdge * noise_, policy_.slices, policy_.fewSlices});
-    moved = tidied(work_, std::move(moved), corrected_.done, policy_);
+    moved = tidy(std::move(moved));
     if (!isTrue(moved, click_)) return false;
     corrected_.region = std::move(moved);
     return true;
@@ -124,7 +126,7 @@ class Correction {
   //! False, and nothing changes, if it would cut off a piece of more than a ball as deep as the click.
   bool settleWithoutCut(const Relabelling& r) {
     const Region moved = settled(work_, from(), r, policy_);
-    Region out = tidied(work_, moved, corrected_.done, policy_);
+    Region out = tidy(moved);
     if (largestLost(work_, from(), moved, out) >= ballOf(r.depth, work_)) return false;
     if (isTrue(out, click_)) corrected_.region = std::move(out);
     return true;
@@ -161,9 +163,13 @@ class Correction {
       renewed_ = policy_.renewed;
   }
 
+  Region tidy(Region region) const {
+    return tidied(work_, std::move(region), corrected_.done, policy_, corrected_.parts);
+  }
+
   //! What can be offered; none if the click is still on the wrong side, or by far too much is added.
   std::optional<Region> fitted(Region region) const {
-    region = tidied(work_, std::move(region), corrected_.done, policy_);
+    region = tidy(std::move(region));
     if (!isTrue(region, click_) || addsTooMuch(region) || leavesTooLittle(region)) return {};
     return region;
   }
@@ -191,7 +197,7 @@ class Correction {
   //! with the rest.
   Offer makeshift() const {
     const auto isInside = [this](std::size_t) { return click_.isInside; };
-    Region ball = tidied(work_, within(policy_.makeshiftReach * depth_, isInside), corrected_.done, policy_);
+    Region ball = tidy(within(policy_.makeshiftReach * depth_, isInside));
     if (!isTrue(ball, click_)) return {from(), 0, true};
     return {std::move(ball), 0, true};
   }

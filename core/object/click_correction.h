@@ -31,11 +31,13 @@ struct Corrected {
   int inARow = 0;                //!< corrections near clicks, after the last of the whole
   double largest = 0;            //!< cells, that it has had when something was looked for
   bool isBoundary = false;       //!< between two intensities, found to a fraction of a cell
+  std::vector<Vec3> parts{};     //!< mm: in parts of the first region that hold no click, and are kept
 };
 
-//! Only what hangs together with the clicks inside so far, without the holes that noise makes.
+//! Only what hangs together with the clicks inside so far, or with `parts` (mm), without the holes that noise
+//! makes.
 Region tidied(const WorkImage& work, Region region, const std::vector<GivenClick>& done,
-              const ObjectPolicy& policy);
+              const ObjectPolicy& policy, const std::vector<Vec3>& parts = {});
 
 using ClickSearches = std::vector<std::unique_ptr<ClickSearch>>;
 

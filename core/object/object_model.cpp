@@ -24,15 +24,6 @@ bool isSame(const Volume& a, const Volume& b) {
          a.grid.spacing == b.grid.spacing && a.grid.origin == b.grid.origin &&
          a.grid.direction == b.grid.direction;
 }
-bool isSame(const CellGrid& a, const CellGrid& b) {
-  return a.low == b.low && a.factor == b.factor && a.grid.size == b.grid.size;
-}
-
-bool isSame(const RegionInCells* a, const RegionInCells* b) {
-  if (!a || !b) return a == b;
-  return isSame(a->cells, b->cells) && a->region.inside == b->region.inside;
-}
-
 }  // namespace
 
 //! All that was found around a first click.
@@ -43,25 +34,29 @@ class ObjectFinder::Search : private RegionSource {
       : volume_(volume),
         view_(std::move(view)),
         policy_(policy),
+        given_(query.given),
         first_(query.inside[0].place),
         contrast_(query.contrast),
         threads_(query.threads),
         cells_(volume_, view_.get(), policy_) {
     scale_ = IntensityScale::of(makeCells(volume_, wideAround(first_), view_.get()), policy_);
     searches_ = searchesAround(first_);
-    offered_ = offeredFor(first_);
+    if (given_)
+      reachGiven();
+    else
+      offered_ = offeredFor(first_);
     firstWork_ = work_;
     keepFirst();
   }
   bool isFor(const Volume& volume, const ObjectQuery& query, bool hasView) const {
     return isSame(volume, volume_) && query.inside[0].place == first_ && query.contrast == contrast_ &&
-           hasView == (view_ != nullptr);
+           hasView == (view_ != nullptr) && isSame(query.given.get(), given_.get());
   }
 
   std::optional<ObjectModel> answer(const ObjectQuery& query) {
-    if (offered_.empty()) return {};
+    if (offered_.empty() && !given_) return {};
     threads_ = query.threads;
-    const int candidate = std::clamp(query.candidate, 1, static_cast<int>(offered_.size()));
+    const int candidate = given_ ? 1 : std::clamp(query.candidate, 1, static_cast<int>(offered_.size()));
     if (!start_ || candidate != candidate_ || !isSame(query.shown.get(), shown_.get()))
       startWith(candidate, query.shown);
     State now = *start_;
@@ -78,7 +73,8 @@ class ObjectFinder::Search : private RegionSource {
     WorkCells cells;
   };
 
-  const RankedRegion& chosen() const { return offered_[candidate_ - 1].region; }
+  //! Null where the object is given.
+  const RankedRegion* chosen() const { return given_ ? nullptr : &offered_[candidate_ - 1].region; }
 
   ObjectModel modelOf(State last, const std::vector<GivenClick>& clicks) const {
     Corrected& corrected = last.corrected;
@@ -87,16 +83,19 @@ class ObjectFinder::Search : private RegionSource {
       const auto [low, high] = r.bounds();
       model.candidates.push_back({r.volume, r.map->radius, low, high, expected});
     }
-    model.isCloseChoice = isClose() || (offered_.size() > 1 && isInThinPart_);
+    model.isCloseChoice = !given_ && (isClose() || (offered_.size() > 1 && isInThinPart_));
     model.chosen = candidate_;
     model.scale = scale_;
     model.level = searches_[0]->intensities.level;
     model.noise = noise();
-    model.neckRadius = chosen().map->radius;
-    model.isStar = chosen().isStar();
-    model.low = chosen().bounds()[0];
-    model.high = chosen().bounds()[1];
-    model.rise = chosen().rise;
+    if (const RankedRegion* r = chosen()) {
+      model.neckRadius = r->map->radius;
+      model.isStar = r->isStar();
+      model.low = r->bounds()[0];
+      model.high = r->bounds()[1];
+      model.rise = r->rise;
+    }
+    model.isGiven = given_ != nullptr;
     model.isCorrected = corrected.done.size() > 1;
     for (auto c = clicks.begin() + 1; c != clicks.end(); ++c) model.clicks.push_back(c->click.place);
     stamp(*last.work, corrected.region, clicksOf(clicks, true), clicksOf(clicks, false));
@@ -166,6 +165,15 @@ class ObjectFinder::Search : private RegionSource {
       if (!isWider) return offered;
     }
   }
+  //! The cells reach all of what is given, with some room around it.
+  void reachGiven() {
+    const CellGrid& cells = given_->cells;
+    const auto& n = cells.grid.size;
+    for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(n[0] - 1, n[1] - 1, n[2] - 1)})
+      cells_.reach({cells.grid.toWorld(corner), policy_.reach / 4});
+    cells_.reach({first_, policy_.reach / 4});
+    work_ = std::make_shared<const WorkImage>(cells_.image(scale_));
+  }
   //! True if the search ends too early for the region, and has been done anew in a wider box.
   bool searchWider(const Vec3& click, const RankedRegion& region) {
     const std::vector<Vec3> sides = cutSides(region);
@@ -211,12 +219,18 @@ class ObjectFinder::Search : private RegionSource {
     shown_ = shown;
     use(firstWork_);
     const GivenClick first = given(*work_, {first_, {}}, true);
-    Corrected start{shown ? regionOn(*work_, *shown) : onImage(chosen()), {first}};
+    Corrected start{firstRegion(), {first}};
     start.isBoundary = shown != nullptr;
     reachClick(start.region, first.click);
-    start.region = tidied(*work_, std::move(start.region), start.done, policy_);
+    if (given_) start.parts = deepestOfParts(*work_, start.region);
+    start.region = tidied(*work_, std::move(start.region), start.done, policy_, start.parts);
     isInThinPart_ = isInThinPart(start.region, first.click);
     start_ = State{std::move(start), work_, cells_};
+  }
+
+  Region firstRegion() const {
+    if (shown_) return regionOn(*work_, *shown_);
+    return given_ ? regionOn(*work_, *given_) : onImage(*chosen());
   }
 
   //! What regions are looked for in from now on.
@@ -331,7 +345,8 @@ class ObjectFinder::Search : private RegionSource {
   Volume volume_;
   std::shared_ptr<const FieldOfView> view_;
   const ObjectPolicy& policy_;
-  Vec3 first_;  // mm: the first click
+  std::shared_ptr<const RegionInCells> given_;  // may be null
+  Vec3 first_;                                  // mm: the first click
   Contrast contrast_;
   int threads_;
   IntensityScale scale_;

@@ -27,6 +27,8 @@ struct ObjectQuery {
   int candidate = 1;  //!< 1 = the likeliest
   Contrast contrast = Contrast::any;
   int threads = 1;
+  //! What the first click means, where that is known, and there are no candidates; null: it is looked for.
+  std::shared_ptr<const RegionInCells> given{};
   //! What the candidate has become in the image, where that is not the region that was found: the further
   //! clicks correct this. May be null.
   std::shared_ptr<const RegionInCells> shown{};
@@ -47,6 +49,7 @@ class ObjectModel {
   Region start;              //!< what it was before they did; empty if they did not
   std::vector<Vec3> clicks;  //!< world: all but the first
   double neckRadius = 0;     //!< mm: narrower passages are cut
+  bool isGiven = false;      //!< as the query said, not as the image says
   bool isStar = false;       //!< chosen by its shape, where the image alone did not say where to end
   double low = 0, high = 0;  //!< intensities: bounds of what was chosen
   double rise = 0;           //!< > 0: darker than what lies just outside

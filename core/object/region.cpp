@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/indices.h"
+#include "core/object/distance.h"
 #include "core/volume/voxel_walk.h"
 
 namespace handlebody {
@@ -106,6 +107,11 @@ std::size_t Region::count() const {
   return static_cast<std::size_t>(std::count(inside.begin(), inside.end(), std::uint8_t{1}));
 }
 
+bool isSame(const RegionInCells* a, const RegionInCells* b) {
+  if (!a || !b) return a == b;
+  return isSame(a->cells, b->cells) && a->region.inside == b->region.inside;
+}
+
 Region regionOn(const WorkImage& work, const RegionInCells& other) {
   const CellGrid& to = work.cells();
   std::array<std::vector<int>, 3> map;
@@ -163,6 +169,39 @@ void keepParts(const WorkImage& work, Region& region, const std::vector<std::siz
   for (int z = box.low[2]; z <= box.high[2]; ++z)
     for (int y = box.low[1]; y <= box.high[1]; ++y)
       for (int x = box.low[0]; x <= box.high[0]; ++x) region.inside[cells.at(x, y, z)] = kept[from++] == kIn;
+}
+
+std::vector<Vec3> deepestOfParts(const WorkImage& work, const Region& region) {
+  const CellGrid& cells = work.cells();
+  CellBox box = boxOf(cells, region);
+  std::vector<Vec3> places;
+  if (box.empty()) return places;
+  box = box.grown(1, cells.grid.size);
+  std::vector<std::uint8_t> left = cutOut(cells, region.inside, box), outside(left.size());
+  std::transform(left.begin(), left.end(), outside.begin(), [](std::uint8_t in) { return in == 0; });
+  const std::vector<float> depth = distanceTo(box.size(), cells.grid.spacing, outside);
+  for (std::size_t first = 0; first < left.size(); ++first) {
+    if (!left[first]) continue;
+    std::size_t deepest = first;
+    std::vector<std::size_t> front{first};
+    left[first] = 0;
+    while (!front.empty()) {
+      const std::size_t at = front.back();
+      front.pop_back();
+      if (depth[at] > depth[deepest]) deepest = at;
+      forFaceNeighbours(box.size(), at, [&](std::size_t w, std::size_t) {
+        if (left[w]) front.push_back(w);
+        left[w] = 0;
+      });
+    }
+    const auto n = box.size();
+    const std::size_t nx = idx(n[0]), ny = idx(n[1]);
+    const Vec3 cell(static_cast<double>(deepest % nx) + box.low[0],
+                    static_cast<double>(deepest / nx % ny) + box.low[1],
+                    static_cast<double>(deepest / (nx * ny)) + box.low[2]);
+    places.push_back(cells.grid.toWorld(cell));
+  }
+  return places;
 }
 
 void CellBox::widen(const Cell& cell) {

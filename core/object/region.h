@@ -25,6 +25,8 @@ struct RegionInCells {
   CellGrid cells;
   Region region;
 };
+//! The same cells, and the same of them inside; null is the same as null.
+bool isSame(const RegionInCells* a, const RegionInCells* b);
 //! The same in other cells: those whose centres lie in it.
 Region regionOn(const WorkImage& work, const RegionInCells& other);
 
@@ -34,6 +36,9 @@ Region regionOn(const WorkImage& work, const RankedRegion& region);
 //! Keeps the parts that hold one of the cells, and fills cavities of fewer than `cavity` cells.
 void keepParts(const WorkImage& work, Region& region, const std::vector<std::size_t>& holding,
                std::size_t cavity);
+
+//! The deepest place (mm, world) of each part that hangs together by faces.
+std::vector<Vec3> deepestOfParts(const WorkImage& work, const Region& region);
 
 //! A box of cells, both ends included.
 struct CellBox {

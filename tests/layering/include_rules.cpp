@@ -44,11 +44,11 @@ const Layers& layers() {
     add("core/handles", {"core/mesh"});
     add("core/surgery", {"core/collision", "core/handles"});
     add("core/object", {"core/volume", "core/mesh"});
-    add("core/evolution", {"core/surgery", "core/object"});
     add("core/solid", {"core/collision", "core/object"});
+    add("core/evolution", {"core/surgery", "core/solid"});
     add("core/measure", {"core/solid"});
-    add("core/sensitivity", {"core/evolution", "core/solid"});
-    add("core/sequence", {"core/evolution", "core/solid"});
+    add("core/sensitivity", {"core/evolution"});
+    add("core/sequence", {"core/evolution"});
     add("core/io", {"core/measure", "core/polish", "core/sensitivity", "core/sequence"});
     add("core/io/meshes", {"core/io"});
     add("core/io/formats", {"core/io/meshes"});

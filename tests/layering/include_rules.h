@@ -15,7 +15,7 @@ SourceTree readSources(const std::string& root);
 
 //! One sentence, "FILE:LINE: …", for every include that breaks a rule, in the order of the files:
 //! - geometry ← mesh ← collision, handles ← surgery ← evolution; geometry ← volume ← evolution; collision,
-//!   object ← solid; io on all of core;
+//!   object ← solid ← evolution; io on all of core;
 //!   sample_volumes and ui on core and io; python on these but ui; model ← view ← window within ui; app on
 //!   everything; nothing on tests.
 //! - core outside io: Eigen and the standard library only.

@@ -30,6 +30,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_levels_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/restraints_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/shrinking_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/start_object_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/start_surface_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/step_transaction_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/stop_decision_test.cpp
