@@ -25,7 +25,7 @@ struct ObjectRegion {
     std::int8_t step;
   };
   std::vector<Voxel> voxels;  //!< in the order in which the flood took them: a ball grows round each seed
-  std::vector<Face> faces;    //!< without those towards padding and the border of the volume
+  std::vector<Face> faces;    //!< without those towards padding and the border of the volume; voxel by voxel
   std::size_t againstPadding = 0;  //!< faces towards padding
   std::size_t atBorder = 0;        //!< faces on the border of the volume
   bool whole = true;               //!< false: ended at `mostVoxels`

@@ -1,5 +1,6 @@
 #include "core/evolution/image_warnings.h"
 
+#include <algorithm>
 #include <Eigen/Geometry>
 #include <numeric>
 
@@ -256,6 +257,7 @@ TEST_CASE("a surface that ends at the border of the field of view is doubted") {
   ActiveContour contour(cut, {Seed{Vec3(20, 20, 14), 4.0}}, {});
   while (contour.stopReason() == StopReason::running) contour.step();
   const std::vector<std::string> warnings = sentences(contour.warnings(contour.support()));
-  REQUIRE(warnings.size() == 1);
-  CHECK_THAT(warnings[0], Contains("border of the field of view"));
+  CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("border of the field of view") != std::string::npos;
+  }));
 }
