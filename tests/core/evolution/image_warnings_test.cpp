@@ -1,7 +1,7 @@
 #include "core/evolution/image_warnings.h"
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numeric>
 
 #include "core/evolution/active_contour.h"
