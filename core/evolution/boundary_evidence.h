@@ -13,6 +13,8 @@ struct BoundaryEvidence {
   double weakest = 0;
   double noise = 0;   //!< standard deviation at the seeds, over the contrast
   double unseen = 0;  //!< part of it that lies on the border of the volume or against padding
+  //! An edge all around, so high that nothing else can be meant.
+  bool isBeyondDoubt() const;
   //! An edge all around.
   bool isClear() const;
   //! Not that, but enough to be believed where another method finds the same.

@@ -57,6 +57,7 @@ ObjectChoice withLevel(const Volume& volume, double level) {
 }  // namespace
 
 TEST_CASE("an edge all around is clear, in noise and with a gain") {
+  CHECK(evidenceIn({}).isBeyondDoubt());
   CHECK(evidenceIn({}).isClear());
   CHECK(evidenceIn({1, 12, 0}).isClear());
   CHECK(evidenceIn({4, 2, 0}).isClear());
@@ -135,7 +136,7 @@ TEST_CASE("a seed with a radius in an organ means the organ where the strongest 
   CHECK(found.choices->areKnown());
 }
 
-TEST_CASE("what a clear boundary may mean besides is looked for when it is asked for") {
+TEST_CASE("what a boundary beyond doubt may mean besides is looked for when it is asked for") {
   const ClickedObject found = findClickedObject(ballIn({}), seeds(), {});
   CHECK_FALSE(found.choices->areKnown());
   CHECK_FALSE(found.choices->get().candidates.empty());
