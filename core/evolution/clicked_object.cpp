@@ -201,6 +201,15 @@ ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& cli
   return out;
 }
 
+ClickedObject objectInRange(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
+  ClickedObject out;
+  const ObjectChoice choice = chooseObject(volume, seeds, p);
+  takeBoundary(out, choice, imageOf(choice));
+  out.choices = std::make_shared<const AskedChoices>(ObjectChoices{});
+  out.smoothing = out.image->volume().sigma();
+  return out;
+}
+
 }  // namespace
 
 ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& asked, const Parameters& p,
@@ -214,12 +223,7 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& a
   if (std::optional<Finding> fault = contradictionOf(volume.grid, clicks)) throw Told<SeedError>(*fault);
   if (p.range) {
     if (seeds.size() != clicks.size()) throw Told<UsageError>(Finding(FindingKind::rangeAndBackground));
-    ClickedObject out;
-    const ObjectChoice choice = chooseObject(volume, seeds, p);
-    takeBoundary(out, choice, imageOf(choice));
-    out.choices = std::make_shared<const AskedChoices>(ObjectChoices{});
-    out.smoothing = out.image->volume().sigma();
-    return out;
+    return objectInRange(volume, seeds, p);
   }
   requireSeedsInside(volume.grid, seeds);
   std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);

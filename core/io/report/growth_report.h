@@ -9,9 +9,8 @@ namespace handlebody {
 //! Of the contour as it was made: parameters as used.
 void tellBeginning(const ActiveContour& contour, RunReport& report);
 
-//! The objects that the clicks of a contour may mean. Where the image shows a boundary all around leaves no
-//! doubt they have not been looked for, which takes as long as a growth: only if they are `asked` for. Throws
-//! Cancelled.
+//! The objects that the clicks of a contour may mean. Where a boundary is beyond doubt they have not been
+//! looked for, which takes as long as a growth, and are told only if they are `asked` for. Throws Cancelled.
 void tellCandidates(const ActiveContour& contour, bool asked, RunReport& report);
 
 //! Of the contour as it is now: iterations, why it stopped, what the constraints hold.
