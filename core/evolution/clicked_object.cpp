@@ -78,7 +78,7 @@ ObjectChoices choicesBeside(const Volume& volume, const std::vector<Seed>& click
 
 //! What else the clicks may mean is looked for at once unless it is beyond doubt, so that it is told.
 ClickedObject clearObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
-                          const ObjectChoice& meant, std::shared_ptr<const FieldOfView> view,
+                          const ObjectChoice& meant, const std::shared_ptr<const FieldOfView>& view,
                           bool isBeyondDoubt) {
   ClickedObject out;
   takeBoundary(out, meant, imageOf(meant));
@@ -233,7 +233,7 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& a
   const BoundaryEvidence evidence =
       boundary.choice ? evidenceOf(*boundary.choice, seeds) : BoundaryEvidence();
   if (evidence.isClear() && !(isStartAlone && outlinesPart(*start, *boundary.choice)))
-    return clearObject(volume, clicks, p, *boundary.choice, std::move(view), evidence.isBeyondDoubt());
+    return clearObject(volume, clicks, p, *boundary.choice, view, evidence.isBeyondDoubt());
   std::shared_ptr<const RegionInCells> given;
   if (start && p.candidate == 1) {
     given = cellsWithin(*start, volume.grid);

@@ -194,12 +194,11 @@ std::vector<Vec3> deepestOfParts(const WorkImage& work, const Region& region) {
         left[w] = 0;
       });
     }
-    const auto n = box.size();
-    const std::size_t nx = idx(n[0]), ny = idx(n[1]);
-    const Vec3 cell(static_cast<double>(deepest % nx) + box.low[0],
-                    static_cast<double>(deepest / nx % ny) + box.low[1],
-                    static_cast<double>(deepest / (nx * ny)) + box.low[2]);
-    places.push_back(cells.grid.toWorld(cell));
+    const std::size_t nx = idx(box.size()[0]), ny = idx(box.size()[1]);
+    const std::size_t x = deepest % nx, y = deepest / nx % ny, z = deepest / (nx * ny);
+    const Vec3 low(box.low[0], box.low[1], box.low[2]);
+    places.push_back(cells.grid.toWorld(
+        low + Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z))));
   }
   return places;
 }
