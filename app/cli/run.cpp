@@ -53,9 +53,10 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
   addSensitivity(command, outputs.sensitivity);
   addPolish(command, outputs.polish);
   addMesherSeconds(command, outputs.mesherSeconds);
-  command.add_flag("--list-candidates", outputs.listsCandidates,
-                   "The report lists what the clicks may mean also where a seed's radius or --object says it "
-                   "and the image shows a boundary all around; takes as long as a growth");
+  command.add_flag(
+      "--list-candidates", outputs.listsCandidates,
+      "The report lists what the clicks may mean also where a seed's radius or --object is given "
+      "and a boundary is beyond doubt; takes about as long as a growth");
   command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
 }
 

@@ -37,7 +37,7 @@ struct RunOutputs {
   double mesherSeconds = kMesherSeconds;
   std::optional<bool> polish;  //!< none: as the session says
   bool quiet = false;
-  bool listsCandidates = false;  //!< also where a boundary all around leaves no doubt
+  bool listsCandidates = false;  //!< also where a boundary is beyond doubt
   SensitivityOptions sensitivity;
 };
 

@@ -58,17 +58,6 @@ std::vector<double> stepsAcross(const ObjectRegion& region, const SmoothedVolume
   return steps;
 }
 
-double noiseAt(const std::vector<Seed>& seeds, const SmoothedVolume& volume) {
-  std::vector<double> values = valuesNear(volume, seeds, statisticsRadius(volume.grid(), seeds));
-  const double middle = quantile(values, 0.5);
-  for (double& v : values) v = std::abs(v - middle);
-  return 1.4826 * quantile(values, 0.5);  // from the median deviation to the standard one
-}
-
-}  // namespace
-
-namespace {
-
 bool isShown(const BoundaryEvidence& e, double least) {
   return e.weakest >= least && e.noise <= kNoise && e.unseen <= kUnseen;
 }
@@ -86,7 +75,8 @@ BoundaryEvidence evidenceOf(const ObjectChoice& choice, const std::vector<Seed>&
   const ObjectRegion region = floodObject(*choice.volume, indices, sign, *choice.levels, kVoxels,
                                           choice.neck ? choice.neck->barrier.get() : nullptr);
   BoundaryEvidence out;
-  out.noise = noiseAt(seeds, *choice.volume) / choice.contrast;
+  const double radius = statisticsRadius(choice.volume->grid(), seeds);
+  out.noise = robustDeviation(valuesNear(*choice.volume, seeds, radius)) / choice.contrast;
   const auto unseen = static_cast<double>(region.atBorder + region.againstPadding);
   if (unseen > 0) out.unseen = unseen / (unseen + static_cast<double>(region.faces.size()));
   const std::vector<double> steps = stepsAcross(region, *choice.volume, sign);

@@ -8,8 +8,8 @@
 namespace handlebody {
 
 struct BoundaryEvidence {
-  //! The step across it, a voxel to either side, that nine of ten places exceed, over the median step. A
-  //! surface that leaks lies without a step where it does. 0 if it encloses nothing.
+  //! The step across it, from half a voxel inside to one and a half outside, that nine of ten places exceed,
+  //! over the median step. A surface that leaks lies without a step where it does. 0 if it encloses nothing.
   double weakest = 0;
   double noise = 0;   //!< standard deviation at the seeds, over the contrast
   double unseen = 0;  //!< part of it that lies on the border of the volume or against padding

@@ -165,11 +165,7 @@ double chooseSmoothing(const Volume& volume, const std::vector<Seed>& seeds, con
   double best = kSigmas.front();
   for (double sigma : kSigmas) {
     const SmoothedVolume smoothed(volume, sigma * voxel);
-    std::vector<double> values = valuesNear(smoothed, seeds, radius);
-    const double middle = quantile(values, 0.5);
-    for (double& v : values) v = std::abs(v - middle);
-    // 1.4826: from the median deviation to the standard deviation of a normal distribution.
-    const double noise = 1.4826 * quantile(values, 0.5);
+    const double noise = robustDeviation(valuesNear(smoothed, seeds, radius));
     if (noise > kStructure * before) break;
     best = sigma;
     before = noise;

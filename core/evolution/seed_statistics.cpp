@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/volume/intensity_statistics.h"
+
 namespace handlebody {
 
 std::vector<double> valuesNear(const SmoothedVolume& volume, const std::vector<Seed>& seeds, double radius) {
@@ -25,6 +27,12 @@ std::vector<double> valuesNear(const SmoothedVolume& volume, const std::vector<S
     values.push_back(volume.sample(centre));
   }
   return values;
+}
+
+double robustDeviation(std::vector<double> values) {
+  const double middle = quantile(values, 0.5);
+  for (double& v : values) v = std::abs(v - middle);
+  return 1.4826 * quantile(values, 0.5);
 }
 
 double noiseEdge(const SmoothedVolume& volume, const std::vector<Seed>& seeds, double radius) {

@@ -24,6 +24,7 @@ bool isSame(const Volume& a, const Volume& b) {
          a.grid.spacing == b.grid.spacing && a.grid.origin == b.grid.origin &&
          a.grid.direction == b.grid.direction;
 }
+
 }  // namespace
 
 //! All that was found around a first click.

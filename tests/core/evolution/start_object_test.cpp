@@ -56,7 +56,7 @@ Volume noiseVolume() {
   return volumeByIndex(cubicGrid(49), [&](int, int, int) { return noise(random); });
 }
 
-//! Part of a ball of that radius, less than what is 2.5 mm wider but not in it, that the object holds.
+//! The parts of a ball, and of the shell from 1.5 to 4 mm around it, that the object holds.
 struct Held {
   double inside = 0, around = 0;
 };
