@@ -77,41 +77,49 @@ const float* SmoothedVolume::make(std::size_t slot) const {
   const std::lock_guard<std::mutex> lock(making_);
   std::atomic<float*>& place = table_[slot];
   if (const float* ready = place.load(std::memory_order_acquire)) return ready;
+  giveUpIfCancelled();
   const int at = static_cast<int>(slot), nx = bricks_[0], ny = bricks_[1];
-  float* made = makeBrick(at % nx, at / nx % ny, at / (nx * ny)).release();
+  float* made = makeBrick({at % nx * kBrick, at / nx % ny * kBrick, at / (nx * ny) * kBrick}).release();
   place.store(made, std::memory_order_release);
   made_.fetch_add(1, std::memory_order_relaxed);
   return made;
 }
 
-std::unique_ptr<float[]> SmoothedVolume::makeBrick(int bi, int bj, int bk) const {
-  giveUpIfCancelled();
-  const std::array<int, 3> first{bi * kBrick, bj * kBrick, bk * kBrick};
+//! Voxels from `from` on, of a row of the grid; beyond the border the border's values repeat.
+template <typename T>
+void SmoothedVolume::readRow(const T* voxels, std::size_t row, int from, int count, float* out) const {
+  const int low = std::max(0, from), high = std::min(grid().size[0], from + count);
+  for (int i = low; i < high; ++i) out[i - from] = static_cast<float>(voxels[row + idx(i)]);
+  if (view_)
+    for (int i = low; i < high; ++i)
+      if (isPadding(row + idx(i))) out[i - from] = wall_;
+  std::fill(out, out + (low - from), out[low - from]);
+  std::fill(out + (high - from), out + count, out[high - 1 - from]);
+}
+
+std::unique_ptr<float[]> SmoothedVolume::makeBrick(const std::array<int, 3>& first) const {
   const std::array<int, 3> radius{kernels_[0].radius(), kernels_[1].radius(), kernels_[2].radius()};
   const std::array<int, 3> n{kStored + 2 * radius[0], kStored + 2 * radius[1], kStored + 2 * radius[2]};
-  // Voxels with a halo of the kernel's radius; beyond the border the border's values repeat.
-  std::vector<float> raw(idx(n[0]) * idx(n[1]) * idx(n[2]));
-  const auto clampTo = [&](int i, std::size_t a) { return std::clamp(i, 0, grid().size[a] - 1); };
+  auto& [raw, alongZ, alongY] = scratch_;
+  raw.resize(idx(n[0]) * idx(n[1]) * idx(n[2]));  // with a halo of the kernel's radius
+  alongZ.resize(idx(n[0]) * idx(n[1]) * idx(kStored));
+  alongY.resize(idx(n[0]) * idx(kStored) * idx(kStored));
+  const auto inGrid = [&](int i, std::size_t a) { return idx(std::clamp(i, 0, grid().size[a] - 1)); };
   visitVoxels(volume_, [&](const auto* voxels) {
-    float* out = raw.data();
+    float* row = raw.data();
     for (int k = 0; k < n[2]; ++k)
-      for (int j = 0; j < n[1]; ++j) {
-        const std::size_t row = (idx(clampTo(first[2] + k - radius[2], 2)) * idx(grid().size[1]) +
-                                 idx(clampTo(first[1] + j - radius[1], 1))) *
-                                idx(grid().size[0]);
-        for (int i = 0; i < n[0]; ++i) {
-          const std::size_t voxel = row + idx(clampTo(first[0] + i - radius[0], 0));
-          *out++ = isPadding(voxel) ? wall_ : static_cast<float>(voxels[voxel]);
-        }
-      }
+      for (int j = 0; j < n[1]; ++j, row += n[0])
+        readRow(voxels,
+                (inGrid(first[2] + k - radius[2], 2) * idx(grid().size[1]) +
+                 inGrid(first[1] + j - radius[1], 1)) *
+                    idx(grid().size[0]),
+                first[0] - radius[0], n[0], row);
   });
-  std::vector<float> alongZ(idx(n[0]) * idx(n[1]) * idx(kStored));
   convolve(raw.data(), alongZ.data(), kernels_[2].weights, kStored, n[0] * n[1], n[0] * n[1]);
-  std::vector<float> alongY(idx(n[0]) * idx(kStored) * idx(kStored));
   for (int k = 0; k < kStored; ++k)
     convolve(&alongZ[idx(k) * idx(n[0] * n[1])], &alongY[idx(k) * idx(n[0] * kStored)], kernels_[1].weights,
              kStored, n[0], n[0]);
-  auto out = std::make_unique<float[]>(idx(kStored) * idx(kStored) * idx(kStored));
+  auto out = std::make_unique_for_overwrite<float[]>(idx(kStored) * idx(kStored) * idx(kStored));
   for (int row = 0; row < kStored * kStored; ++row)
     convolveRow(&alongY[idx(row) * idx(n[0])], &out[idx(row) * idx(kStored)], kernels_[0].weights, kStored);
   return out;

@@ -69,8 +69,14 @@ class SmoothedVolume {
     const float* ready = table_[slot].load(std::memory_order_acquire);
     return ready ? ready : make(slot);
   }
+  //! What is between the voxels and a brick; kept from one brick to the next.
+  struct Scratch {
+    std::vector<float> raw, alongZ, alongY;
+  };
   const float* make(std::size_t slot) const;
-  std::unique_ptr<float[]> makeBrick(int bi, int bj, int bk) const;
+  std::unique_ptr<float[]> makeBrick(const std::array<int, 3>& first) const;
+  template <typename T>
+  void readRow(const T* voxels, std::size_t row, int from, int count, float* out) const;
 
   Volume volume_;
   double sigma_;
@@ -81,6 +87,7 @@ class SmoothedVolume {
   mutable std::vector<std::atomic<float*>> table_;
   mutable std::atomic<std::size_t> made_{0};
   mutable std::mutex making_;
+  mutable Scratch scratch_;  // guarded by making_
 };
 
 }  // namespace handlebody
