@@ -14,7 +14,7 @@ namespace handlebody {
 
 //! Smoothed voxel values with trilinear sampling. Bricks are made when first needed; any number of threads
 //! may sample at once, and the values do not depend on who asks first. Memory is that of the bricks touched
-//! (4 bytes a voxel).
+//! (4 bytes a voxel), and a megabyte to make them with.
 class SmoothedVolume {
  public:
   //! `sigma`: standard deviation of the Gaussian in mm, >= 0; the same in all directions of space.
