@@ -88,10 +88,10 @@ void keepFreedMemory() {
 //! What is reserved is no memory before it is used; where it cannot be reserved the heap is one like any
 //! other.
 void reserveHeap() {
-  constexpr std::uintptr_t kMost = 1 << 30, kBlock = 16 << 20, kHugePage = 2 << 20;  // bytes
+  constexpr std::uintptr_t kMaxReserve = 1 << 30, kBlock = 16 << 20, kHugePage = 2 << 20;  // bytes
   rlimit limit{};
   ::getrlimit(RLIMIT_AS, &limit);
-  mallopt(M_TOP_PAD, static_cast<int>(std::min<rlim_t>(kMost, limit.rlim_cur / 4)));
+  mallopt(M_TOP_PAD, static_cast<int>(std::min<rlim_t>(kMaxReserve, limit.rlim_cur / 4)));
   void* const block = std::malloc(kBlock);  // more than the heap has yet: it grows by that and the padding
   const std::uintptr_t from = (reinterpret_cast<std::uintptr_t>(block) / kHugePage + 1) * kHugePage;
   const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
