@@ -136,6 +136,8 @@ inline TriangleSoup scaled(TriangleSoup s, double by) {
   return s;
 }
 
+inline TriangleSoup ball(double radius, const Vec3& at) { return moved(scaled(sphere(4), radius), at); }
+
 inline TriangleSoup both(TriangleSoup a, const TriangleSoup& b) {
   const int shift = static_cast<int>(a.points.size());
   a.points.insert(a.points.end(), b.points.begin(), b.points.end());

@@ -15,7 +15,7 @@ using namespace handlebody;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kAround = 48;
 
 struct Ring {
@@ -28,7 +28,7 @@ TriangleSoup tube(int rings, const std::function<Ring(double)>& at) {
   for (int i = 0; i <= rings; ++i) {
     const Ring ring = at(static_cast<double>(i) / rings);
     for (int j = 0; j < kAround; ++j) {
-      const double a = 2 * kPi * (j + 0.5 * (i % 2)) / kAround;
+      const double a = 2 * pi * (j + 0.5 * (i % 2)) / kAround;
       s.points.push_back(ring.centre + std::cos(a) * ring.u + std::sin(a) * ring.v);
     }
   }
@@ -78,7 +78,7 @@ TEST_CASE("the line through a straight tube is its axis, and sections have its a
   forMiddle(line, 0, [](const CentreLinePoint& p) {
     CHECK((p.place - Vec3(2, 3, p.place.z())).norm() < 0.05);
     CHECK(p.radius == Approx(5).epsilon(0.01));
-    CHECK(p.area.value() == Approx(kPi * 25).epsilon(0.01));
+    CHECK(p.area.value() == Approx(pi * 25).epsilon(0.01));
     CHECK(p.equivalentDiameter() == Approx(10).epsilon(0.01));
     CHECK(std::abs(p.direction.z()) == Approx(1).epsilon(1e-3));
   });
@@ -87,7 +87,7 @@ TEST_CASE("the line through a straight tube is its axis, and sections have its a
 TEST_CASE("the line through a bent tube keeps to the bend", "[measure]") {
   const double R = 20, r = 4;
   const auto at = [&](double t) {
-    const double a = 1.5 * kPi * t;
+    const double a = 1.5 * pi * t;
     const Vec3 out(std::cos(a), std::sin(a), 0);
     return Ring{R * out, r * out, Vec3(0, 0, r)};
   };
@@ -99,7 +99,7 @@ TEST_CASE("the line through a bent tube keeps to the bend", "[measure]") {
   CHECK(line.length == Approx(R * (to - from)).epsilon(0.01));
   forMiddle(line, 0, [&](const CentreLinePoint& p) {
     CHECK(std::hypot(p.place.x(), p.place.y()) == Approx(R).epsilon(0.01));
-    CHECK(p.area.value() == Approx(kPi * r * r).epsilon(0.01));
+    CHECK(p.area.value() == Approx(pi * r * r).epsilon(0.01));
   });
 }
 
@@ -107,18 +107,18 @@ TEST_CASE("the line through a helix of changing width and elliptic section", "[m
   const double R = 15, climb = 8, turns = 1.25;
   const auto wide = [](double t) { return 2 + 1.5 * t; };
   const auto at = [&](double t) {
-    const double a = 2 * kPi * turns * t;
+    const double a = 2 * pi * turns * t;
     const Vec3 out(std::cos(a), std::sin(a), 0);
     const Vec3 along = Vec3(-R * std::sin(a), R * std::cos(a), climb).normalized();
     return Ring{R * out + Vec3(0, 0, climb * a), wide(t) * out, 1.6 * wide(t) * along.cross(out)};
   };
   const CentreLine line = centreLine(tube(440, at), at(0.05).centre, at(0.95).centre);
   REQUIRE(line.fault == CentreLineFault::none);
-  const double angle = 2 * kPi * turns * 0.9;
+  const double angle = 2 * pi * turns * 0.9;
   CHECK(line.length == Approx(std::hypot(R, climb) * angle).epsilon(0.01));
   forMiddle(line, 3, [&](const CentreLinePoint& p) {
     const double t = 0.05 + 0.9 * p.along / line.length;
-    CHECK(p.area.value() == Approx(kPi * 1.6 * wide(t) * wide(t)).epsilon(0.01));
+    CHECK(p.area.value() == Approx(pi * 1.6 * wide(t) * wide(t)).epsilon(0.01));
   });
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("in a torus the line takes the shorter way round", "[measure]") {
   const TriangleSoup mesh = zoo::torus(240, 96, 20, 5);
   const CentreLine line = centreLine(mesh, Vec3(18, 0, 1), Vec3(0, 22, -1));
   REQUIRE(line.fault == CentreLineFault::none);
-  CHECK(line.length == Approx(20 * kPi / 2).epsilon(0.01));
+  CHECK(line.length == Approx(20 * pi / 2).epsilon(0.01));
   CHECK(line.points.front().radius == Approx(5).epsilon(0.01));
 }
 
@@ -149,8 +149,8 @@ TEST_CASE("the section of a tube with a wall is a ring, and the inner of two par
   add(pipe(4, 18), true);
   add(pipe(2, 16), false);
   const Vec3 tilted = Vec3(0.1, 0, 1).normalized();
-  CHECK(sectionArea(mesh, Vec3(5, 0, 0), tilted).value() == Approx(kPi * 20 / tilted.z()).epsilon(0.01));
-  CHECK(sectionArea(mesh, Vec3(0, 1, 0), tilted).value() == Approx(kPi * 4 / tilted.z()).epsilon(0.01));
+  CHECK(sectionArea(mesh, Vec3(5, 0, 0), tilted).value() == Approx(pi * 20 / tilted.z()).epsilon(0.01));
+  CHECK(sectionArea(mesh, Vec3(0, 1, 0), tilted).value() == Approx(pi * 4 / tilted.z()).epsilon(0.01));
   CHECK_FALSE(sectionArea(mesh, Vec3(0, 3, 0), tilted).has_value());
   CHECK_FALSE(sectionArea(mesh, Vec3(0, 9, 0), tilted).has_value());
 }

@@ -18,7 +18,7 @@ using namespace handlebody;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 //! A turn about no axis in particular.
 Eigen::Matrix3d someTurn() {
@@ -74,7 +74,7 @@ TEST_CASE("an ellipsoid has its volume, centroid, diameter and axes, wherever it
   const Eigen::Matrix3d turn = someTurn();
   const Vec3 centre(120, -340, 900);
   const ShapeMeasures m = shapeMeasures(placed(zoo::sphere(40), Vec3(12, 30, 20), turn, centre));
-  CHECK(m.volume == Approx(4 * kPi / 3 * 12 * 30 * 20).epsilon(0.005));
+  CHECK(m.volume == Approx(4 * pi / 3 * 12 * 30 * 20).epsilon(0.005));
   CHECK((m.centroid - centre).norm() < 1e-6);
   CHECK(m.largest.distance == Approx(60).epsilon(0.005));
   CHECK((m.largest.from - m.largest.to).norm() == Approx(m.largest.distance));
@@ -90,12 +90,12 @@ TEST_CASE("an ellipsoid has its volume, centroid, diameter and axes, wherever it
 
 TEST_CASE("a ball and a torus have their areas and extents", "[measure]") {
   const ShapeMeasures b = shapeMeasures(ball(15, Vec3(1, 2, 3)));
-  CHECK(b.area == Approx(4 * kPi * 225).epsilon(0.01));
+  CHECK(b.area == Approx(4 * pi * 225).epsilon(0.01));
   CHECK(b.largest.distance == Approx(30).epsilon(0.01));
   CHECK((b.box - Vec3(30, 30, 30)).cwiseAbs().maxCoeff() < 0.3);
   const ShapeMeasures t = shapeMeasures(zoo::torus(120, 60, 20, 5));
-  CHECK(t.volume == Approx(2 * kPi * kPi * 20 * 25).epsilon(0.01));
-  CHECK(t.area == Approx(4 * kPi * kPi * 20 * 5).epsilon(0.01));
+  CHECK(t.volume == Approx(2 * pi * pi * 20 * 25).epsilon(0.01));
+  CHECK(t.area == Approx(4 * pi * pi * 20 * 5).epsilon(0.01));
   CHECK(t.largest.distance == Approx(50).epsilon(0.01));
   CHECK(t.extents[2] == Approx(10).epsilon(0.01));
   CHECK(std::abs(t.axes(2, 2)) == Approx(1));
@@ -103,8 +103,8 @@ TEST_CASE("a ball and a torus have their areas and extents", "[measure]") {
 
 TEST_CASE("a cavity is taken off the volume and added to the area", "[measure]") {
   const ShapeMeasures m = shapeMeasures(together(ball(10, Vec3(0, 0, 0)), ball(4, Vec3(3, 0, 0)), true));
-  CHECK(m.volume == Approx(4 * kPi / 3 * (1000 - 64)).epsilon(0.01));
-  CHECK(m.area == Approx(4 * kPi * (100 + 16)).epsilon(0.01));
+  CHECK(m.volume == Approx(4 * pi / 3 * (1000 - 64)).epsilon(0.01));
+  CHECK(m.area == Approx(4 * pi * (100 + 16)).epsilon(0.01));
   CHECK(m.centroid.x() == Approx(-3.0 * 64 / (1000 - 64)).epsilon(0.01));
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("intensities are those of the voxels whose centre is inside", "[measur
   const auto value = [](const Vec3& p) { return 3 * p.x() - p.y() + 0.5 * p.z(); };
   const IntensityInside found = intensityInside(mesh, volumeOf(value));
   CHECK(found.isWhole);
-  CHECK(static_cast<double>(found.voxels) * 0.25 == Approx(4 * kPi / 3 * 216).epsilon(0.01));
+  CHECK(static_cast<double>(found.voxels) * 0.25 == Approx(4 * pi / 3 * 216).epsilon(0.01));
   CHECK(found.mean == Approx(value(centre)).margin(0.05));
   const double variance = (9 + 1 + 0.25) * 36 / 5;  // a coordinate in a ball: r²/5
   CHECK(found.deviation == Approx(std::sqrt(variance)).epsilon(0.01));
@@ -219,7 +219,7 @@ TEST_CASE("the quality of a regular tetrahedron, a cube and a flat triangle", "[
   CHECK(q.angles.largest == Approx(60));
   CHECK(q.radiusRatio.least == Approx(1));
   CHECK(q.edges.median == Approx(std::sqrt(8)));
-  CHECK(q.dihedral.least == Approx(std::acos(1.0 / 3) * 180 / kPi));
+  CHECK(q.dihedral.least == Approx(std::acos(1.0 / 3) * 180 / pi));
   CHECK(q.flat == 0);
   const MeshQuality c = meshQuality(zoo::cube(3));
   CHECK(c.angles.least == Approx(45));

@@ -17,10 +17,6 @@ TriangleSoup turnedInsideOut(TriangleSoup s) {
   return s;
 }
 
-TriangleSoup ball(double radius, const Vec3& at) {
-  return zoo::moved(zoo::scaled(zoo::sphere(4), radius), at);
-}
-
 std::vector<bool> misplaced(const TriangleSoup& soup) {
   const Mesh mesh(soup);
   const Components parts = findComponents(mesh);
@@ -40,12 +36,12 @@ double solidAngleOfAll(const Mesh& mesh, const Vec3& p) {
   return sum;
 }
 
-const TriangleSoup kBody = ball(10, Vec3(0, 0, 0));
+const TriangleSoup kBody = zoo::ball(10, Vec3(0, 0, 0));
 
 }  // namespace
 
 TEST_CASE("the winding number is 1 in the body and 0 outside of it and in its cavities") {
-  const Mesh mesh(zoo::both(kBody, turnedInsideOut(ball(3, Vec3(4, 0, 0)))));
+  const Mesh mesh(zoo::both(kBody, turnedInsideOut(zoo::ball(3, Vec3(4, 0, 0)))));
   const Components parts = findComponents(mesh);
   constexpr int kNone = -1;
   CHECK(windingNumber(mesh, parts, kNone, Vec3(-4, 1, 2)) == 1);
@@ -56,7 +52,7 @@ TEST_CASE("the winding number is 1 in the body and 0 outside of it and in its ca
 
 TEST_CASE("the winding number is that of the solid angle, also where the ray meets vertices and edges") {
   const Mesh mesh(
-      zoo::both(zoo::both(kBody, turnedInsideOut(zoo::torus(24, 12, 5, 2))), ball(4, Vec3(20, 0, 0))));
+      zoo::both(zoo::both(kBody, turnedInsideOut(zoo::torus(24, 12, 5, 2))), zoo::ball(4, Vec3(20, 0, 0))));
   const Components parts = findComponents(mesh);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(-12, 24);
@@ -76,18 +72,18 @@ TEST_CASE("the winding number is that of the solid angle, also where the ray mee
 
 TEST_CASE("bodies beside each other, cavities and bodies in cavities lie where they can") {
   CHECK(misplaced(kBody) == std::vector<bool>{false});
-  CHECK(misplaced(zoo::both(kBody, ball(3, Vec3(14, 0, 0)))) == std::vector<bool>{false, false});
-  const TriangleSoup hollow = zoo::both(kBody, turnedInsideOut(ball(6, Vec3(0, 0, 0))));
+  CHECK(misplaced(zoo::both(kBody, zoo::ball(3, Vec3(14, 0, 0)))) == std::vector<bool>{false, false});
+  const TriangleSoup hollow = zoo::both(kBody, turnedInsideOut(zoo::ball(6, Vec3(0, 0, 0))));
   CHECK(misplaced(hollow) == std::vector<bool>{false, false});
-  CHECK(misplaced(zoo::both(hollow, ball(3, Vec3(0, 0, 0)))) == std::vector<bool>{false, false, false});
+  CHECK(misplaced(zoo::both(hollow, zoo::ball(3, Vec3(0, 0, 0)))) == std::vector<bool>{false, false, false});
 }
 
 TEST_CASE("a solid part in a body, and a cavity outside of one, are misplaced, the body is not") {
-  CHECK(misplaced(zoo::both(kBody, ball(3, Vec3(0, 0, 0)))) == std::vector<bool>{false, true});
-  CHECK(misplaced(zoo::both(kBody, turnedInsideOut(ball(3, Vec3(14, 0, 0))))) ==
+  CHECK(misplaced(zoo::both(kBody, zoo::ball(3, Vec3(0, 0, 0)))) == std::vector<bool>{false, true});
+  CHECK(misplaced(zoo::both(kBody, turnedInsideOut(zoo::ball(3, Vec3(14, 0, 0))))) ==
         std::vector<bool>{false, true});
 }
 
 TEST_CASE("bodies that overlap in part are not misplaced") {
-  CHECK(misplaced(zoo::both(kBody, ball(3, Vec3(10, 0, 0)))) == std::vector<bool>{false, false});
+  CHECK(misplaced(zoo::both(kBody, zoo::ball(3, Vec3(10, 0, 0)))) == std::vector<bool>{false, false});
 }

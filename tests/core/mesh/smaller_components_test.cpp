@@ -10,13 +10,9 @@ namespace {
 constexpr double kLongest = 1;  // mm, of an edge: the margin is twice that
 const Vec3 kPart(10, 0, 0);     // a ball of radius 1 beside one of radius 5 at the origin
 
-TriangleSoup ball(double radius, const Vec3& at) {
-  return zoo::moved(zoo::scaled(zoo::sphere(4), radius), at);
-}
-
 //! A mesh of both, and what is known of it.
 struct Scene {
-  Mesh before{zoo::both(ball(5, Vec3(0, 0, 0)), ball(1, kPart))};
+  Mesh before{zoo::both(zoo::ball(5, Vec3(0, 0, 0)), zoo::ball(1, kPart))};
   Mesh mesh = before;
   VertexMarks touched = VertexMarks(static_cast<std::size_t>(before.vertexSlots()), 0);
   SmallerComponents smaller;
@@ -66,7 +62,7 @@ TEST_CASE("a smaller component that something comes near, or that is passed, is 
 }
 
 TEST_CASE("of a single component there is nothing to come near, and nothing is known unless it was told") {
-  const Mesh mesh(ball(5, Vec3(0, 0, 0)));
+  const Mesh mesh(zoo::ball(5, Vec3(0, 0, 0)));
   const VertexMarks all(static_cast<std::size_t>(mesh.vertexSlots()), 1);
   SmallerComponents smaller;
   CHECK_FALSE(smaller.areKnown());

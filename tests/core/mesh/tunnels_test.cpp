@@ -10,7 +10,7 @@ using namespace handlebody;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TunnelList tunnelsOf(const TriangleSoup& soup) { return findTunnels(Mesh(soup)); }
 
@@ -73,8 +73,8 @@ TEST_CASE("a torus has one tunnel, with loops as long as circles on it") {
     CHECK(list.unlisted == 0);
     REQUIRE(list.tunnels.size() == 1);
     const Tunnel& t = list.tunnels[0];
-    CHECK(t.handle.length == Approx(2 * kPi * r).epsilon(0.01));
-    CHECK(t.tunnel.length == Approx(2 * kPi * (3 - r)).epsilon(0.02));
+    CHECK(t.handle.length == Approx(2 * pi * r).epsilon(0.01));
+    CHECK(t.tunnel.length == Approx(2 * pi * (3 - r)).epsilon(0.02));
     CHECK(t.handleBounds);
     CHECK(t.tunnelBounds);
     for (const SurfaceLoop* loop : {&t.handle, &t.tunnel}) {
@@ -89,8 +89,8 @@ TEST_CASE("a cavity in the shape of a torus has its loops the other way round") 
       tunnelsOf(zoo::both(zoo::scaled(zoo::sphere(4), 9), zoo::insideOut(zoo::torus(60, 30, 3, 1))));
   REQUIRE(list.tunnels.size() == 1);
   CHECK(list.tunnels[0].component == 1);
-  CHECK(list.tunnels[0].tunnel.length == Approx(2 * kPi * 1).epsilon(0.02));
-  CHECK(list.tunnels[0].handle.length == Approx(2 * kPi * 2).epsilon(0.02));
+  CHECK(list.tunnels[0].tunnel.length == Approx(2 * pi * 1).epsilon(0.02));
+  CHECK(list.tunnels[0].handle.length == Approx(2 * pi * 2).epsilon(0.02));
 }
 
 TEST_CASE("the frame of a cube has five tunnels, and each pair of loops meets") {
@@ -115,10 +115,10 @@ TEST_CASE("the loops do not depend on the order of vertices and faces, nor on th
     for (Vec3& p : other.points) p = turn * p + Vec3(300, -200, 100);
     const TunnelList list = tunnelsOf(other);
     REQUIRE(list.tunnels.size() == 2);
-    CHECK(list.tunnels[0].handle.length == Approx(2 * kPi * 1).epsilon(0.02));
-    CHECK(list.tunnels[0].tunnel.length == Approx(2 * kPi * 2).epsilon(0.02));
-    CHECK(list.tunnels[1].handle.length == Approx(2 * kPi * 1.5).epsilon(0.02));
-    CHECK(list.tunnels[1].tunnel.length == Approx(2 * kPi * 3.5).epsilon(0.02));
+    CHECK(list.tunnels[0].handle.length == Approx(2 * pi * 1).epsilon(0.02));
+    CHECK(list.tunnels[0].tunnel.length == Approx(2 * pi * 2).epsilon(0.02));
+    CHECK(list.tunnels[1].handle.length == Approx(2 * pi * 1.5).epsilon(0.02));
+    CHECK(list.tunnels[1].tunnel.length == Approx(2 * pi * 3.5).epsilon(0.02));
   }
 }
 
@@ -128,8 +128,8 @@ TEST_CASE("linked tori are told apart from knots: each component is looked at al
   const TunnelList list = tunnelsOf(zoo::both(zoo::torus(60, 20, 3, 0.8), second));
   REQUIRE(list.tunnels.size() == 2);
   for (const Tunnel& t : list.tunnels) {
-    CHECK(t.handle.length == Approx(2 * kPi * 0.8).epsilon(0.02));
-    CHECK(t.tunnel.length == Approx(2 * kPi * 2.2).epsilon(0.02));
+    CHECK(t.handle.length == Approx(2 * pi * 0.8).epsilon(0.02));
+    CHECK(t.tunnel.length == Approx(2 * pi * 2.2).epsilon(0.02));
     CHECK(t.tunnelBounds);
   }
 }
@@ -142,7 +142,7 @@ TEST_CASE("a knotted handle has a loop around it, and one along it that bounds n
   REQUIRE(list.tunnels.size() == 1);
   CHECK(list.tunnels[0].handleBounds);
   CHECK_FALSE(list.tunnels[0].tunnelBounds);
-  CHECK(list.tunnels[0].handle.length == Approx(2 * kPi * 0.4).epsilon(0.03));
+  CHECK(list.tunnels[0].handle.length == Approx(2 * pi * 0.4).epsilon(0.03));
   CHECK(list.tunnels[0].tunnel.length > 15);
   CHECK(&list.tunnels[0].shorter() == &list.tunnels[0].handle);
 }

@@ -12,8 +12,8 @@ using testing::volumeByIndex;
 namespace {
 
 constexpr double kNoise = 6;
-const Vec3 kMiddle(20, 20, 20);
-double distance(const std::array<int, 3>& c) { return (Vec3(c[0], c[1], c[2]) - kMiddle).norm(); }
+const Vec3 kBallCentre(20, 20, 20);
+double distance(const std::array<int, 3>& c) { return (Vec3(c[0], c[1], c[2]) - kBallCentre).norm(); }
 
 //! A core of 100 to 8 mm, a rim of 80 to 12 mm, 20 around it.
 WorkImage rimmedBall() {
@@ -23,7 +23,7 @@ WorkImage rimmedBall() {
     const double d = distance({i, j, k});
     return (d < 8 ? 100 : d < 12 ? 80 : 20) + normal(random);
   });
-  const CellGrid cells = cellsAround(volume.grid, kMiddle, 100, 1'000'000);
+  const CellGrid cells = cellsAround(volume.grid, kBallCentre, 100, 1'000'000);
   WorkImage work{makeCells(volume, cells, nullptr), {}};
   work.values = smoothed(cells, work.image.values, 0.6);
   return work;

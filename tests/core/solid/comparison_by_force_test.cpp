@@ -105,7 +105,7 @@ TriangleSoup hollowBall() {
 }
 
 //! A ring through the shell of hollowBall() that lies across all axes.
-TriangleSoup ring() {
+TriangleSoup ringSoup() {
   TriangleSoup ring = zoo::perturbed(zoo::torus(18, 8, 4.2, 1.4), 0.1, 4);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.8, Vec3(1, 2, -1).normalized()).toRotationMatrix();
   for (Vec3& p : ring.points) p = turn * p + Vec3(2.3, 0.4, -0.9);
@@ -153,7 +153,7 @@ TEST_CASE("figures of label maps on different grids and directions are those of 
 }
 
 TEST_CASE("figures of two meshes are those of brute force", "[solid][compare]") {
-  const Solid a = solidOf(hollowBall()), b = solidOf(ring());
+  const Solid a = solidOf(hollowBall()), b = solidOf(ringSoup());
   CHECK(topologyOf(a) == VoxelTopology{1, 1, 0});
   CHECK(topologyOf(b) == VoxelTopology{1, 0, 1});
   requireByForce(a, b, 0.7);
@@ -161,7 +161,7 @@ TEST_CASE("figures of two meshes are those of brute force", "[solid][compare]") 
 
 TEST_CASE("figures of a mesh and a label map on a rotated grid are those of brute force",
           "[solid][compare]") {
-  requireByForce(solidOf(ring()), checkedSolid(hollowMask()), 1.3);
+  requireByForce(solidOf(ringSoup()), checkedSolid(hollowMask()), 1.3);
 }
 
 TEST_CASE("signed distances of vertices are those of brute force, positive in a cavity as well",
@@ -172,8 +172,8 @@ TEST_CASE("signed distances of vertices are those of brute force, positive in a 
   CHECK(std::any_of(from.points.begin(), from.points.end(), [&](const Vec3& p) {
     return p.norm() < 3.5 && timesAround(hollow, p) == 0;  // in the cavity
   }));
-  CHECK(requireSignedByForce(scattered(2), ring()) > 3);
-  CHECK(requireSignedByForce(hollow, ring()) > 3);
+  CHECK(requireSignedByForce(scattered(2), ringSoup()) > 3);
+  CHECK(requireSignedByForce(hollow, ringSoup()) > 3);
   CHECK(requireSignedByForce(scattered(3), maskSurface(hollowMask())) > 10);
 }
 
@@ -189,7 +189,7 @@ TEST_CASE("a vertex where a surface winds around it twice lies inside", "[solid]
 
 TEST_CASE("vertices right beside a face have the sign of their side", "[solid][compare]") {
   constexpr double kBeside = 1e-6;  // mm
-  for (const TriangleSoup& to : {hollowBall(), ring(), maskSurface(hollowMask())}) {
+  for (const TriangleSoup& to : {hollowBall(), ringSoup(), maskSurface(hollowMask())}) {
     TriangleSoup out, in;
     for (const Triangle& t : to.triangles) {
       const Corners c = cornersOf(to, t);

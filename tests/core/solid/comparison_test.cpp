@@ -19,12 +19,12 @@ using namespace handlebody::testing;
 namespace {
 
 constexpr ComparisonOptions kCoarse{0.4, 2};  // mm; the default would take longer
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 //! Share of each of two balls that lies in the other.
 double lensShare(double radius, double apart) {
-  const double lens = kPi * (4 * radius + apart) * std::pow(2 * radius - apart, 2) / 12;
-  return lens / (4 * kPi / 3 * std::pow(radius, 3));
+  const double lens = pi * (4 * radius + apart) * std::pow(2 * radius - apart, 2) / 12;
+  return lens / (4 * pi / 3 * std::pow(radius, 3));
 }
 
 //! Of a sphere from an equal one: at the cosine t, which is uniform over its area.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <numeric>
 
 #include "core/collision/certify.h"
 #include "core/collision/closest_point.h"
@@ -56,8 +55,6 @@ Mask blobs(unsigned seed) {
   }
   return mask;
 }
-
-int tunnelsOf(const Certificate& c) { return std::accumulate(c.genus.begin(), c.genus.end(), 0); }
 
 void requireMeshOf(const Mask& mask) {
   const VoxelTopology counted = voxelTopology(mask);

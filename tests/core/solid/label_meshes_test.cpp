@@ -1,5 +1,4 @@
 // Several objects of one label map become meshes together.
-#include <numeric>
 
 #include "core/collision/body_contact.h"
 #include "core/collision/certify.h"
@@ -38,8 +37,6 @@ std::vector<Mask> touching(unsigned seed, int count, int n) {
   }
   return masks;
 }
-
-int tunnelsOf(const Certificate& c) { return std::accumulate(c.genus.begin(), c.genus.end(), 0); }
 
 void requireApart(const std::vector<LabelMesh>& made) {
   for (std::size_t j = 1; j < made.size(); ++j)

@@ -5,9 +5,11 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <numeric>
 #include <random>
 #include <vector>
 
+#include "core/mesh/validity.h"
 #include "core/solid/mask.h"
 
 namespace handlebody::testing {
@@ -90,6 +92,9 @@ class VoxelCounting {
 };
 
 inline VoxelTopology voxelTopology(const Mask& mask) { return VoxelCounting(mask).count(); }
+
+//! Of all components of a surface: to be as many as the mask has.
+inline int tunnelsOf(const Certificate& c) { return std::accumulate(c.genus.begin(), c.genus.end(), 0); }
 
 //! Every voxel is inside with the probability `share`.
 inline Mask randomMask(const std::array<int, 3>& size, double share, unsigned seed) {

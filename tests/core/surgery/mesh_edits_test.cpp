@@ -10,7 +10,7 @@ using namespace handlebody;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kAll = std::numeric_limits<double>::infinity();
 
 void expectCertified(const Mesh& mesh) {
@@ -35,7 +35,7 @@ TEST_CASE("a membrane in the tunnel of a torus makes it a sphere and adds volume
   CHECK(done.open.empty());
   const Event& e = done.edits[0];
   CHECK(e.kind == EventKind::tunnelClosed);
-  CHECK(e.edit->loop == Approx(2 * kPi * 2).epsilon(0.02));
+  CHECK(e.edit->loop == Approx(2 * pi * 2).epsilon(0.02));
   CHECK(e.edit->volumeBefore == Approx(before));
   CHECK(e.edit->volumeAfter == Approx(signedVolume(mesh)));
   CHECK(e.edit->volumeAfter > before);
@@ -50,7 +50,7 @@ TEST_CASE("a cut through the handle of a torus makes it a sphere and takes volum
   const TunnelsClosed done = closeTunnels(mesh, kAll);  // the handle's loop is the shorter
   REQUIRE(done.edits.size() == 1);
   CHECK(done.edits[0].kind == EventKind::handleCut);
-  CHECK(done.edits[0].edit->loop == Approx(2 * kPi).epsilon(0.02));
+  CHECK(done.edits[0].edit->loop == Approx(2 * pi).epsilon(0.02));
   // A slice of the tube goes: a few edges of it.
   CHECK(done.edits[0].edit->volumeAfter < done.edits[0].edit->volumeBefore);
   CHECK(done.edits[0].edit->volumeAfter > 0.9 * done.edits[0].edit->volumeBefore);
@@ -104,7 +104,7 @@ TEST_CASE("a membrane that would cut another body is refused, and the mesh stays
   const TunnelsClosed refused = closeTunnels(mesh, kAll, TunnelCut::tunnel);
   CHECK(refused.edits.empty());
   REQUIRE(refused.open.size() == 1);
-  CHECK(refused.open[0].tunnelLength == Approx(4 * kPi).epsilon(0.02));
+  CHECK(refused.open[0].tunnelLength == Approx(4 * pi).epsilon(0.02));
   CHECK(mesh.compact().points == before.points);
   CHECK(mesh.compact().triangles == before.triangles);
   CHECK(closeTunnels(mesh, kAll).edits.size() == 1);  // through the handle it goes

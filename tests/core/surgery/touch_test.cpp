@@ -14,7 +14,7 @@ using namespace handlebody;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 void expectCertified(const Mesh& mesh) {
   expectValid(mesh);
@@ -103,7 +103,7 @@ TEST_CASE("noise on a ball is smoothed where it is asked for, and the volume sta
     REQUIRE(out.isDone());
     expectCertified(out.mesh);
     // Half of the ball of 5 mm lies within: some 260 mm³.
-    CHECK(std::abs(out.volumeAfter - out.volumeBefore) < 1e-3 * 2.0 / 3 * kPi * 125);
+    CHECK(std::abs(out.volumeAfter - out.volumeBefore) < 1e-3 * 2.0 / 3 * pi * 125);
     CHECK(out.volumeAfter == Approx(signedVolume(out.mesh)));
     CHECK(roughness(out.mesh, place, 2) < 0.25 * roughness(mesh, place, 2));
     int moved = 0;
@@ -147,7 +147,7 @@ TEST_CASE("a place of the surface is pulled out, or pressed in, and lies where i
     CHECK(std::find(soup.points.begin(), soup.points.end(), to) != soup.points.end());
     CHECK(longestEdge(out.mesh) < 1.8 * longestEdge(mesh));
     // Volume of a bump by (1 - (d/R)²)² over a flat disc: π R² / 3 times its height.
-    if (std::abs(by) < 3) CHECK(out.volumeAfter - out.volumeBefore == Approx(by * kPi * 16 / 3).epsilon(0.2));
+    if (std::abs(by) < 3) CHECK(out.volumeAfter - out.volumeBefore == Approx(by * pi * 16 / 3).epsilon(0.2));
     // Further away nothing has moved.
     for (const Vec3& p : soup.points)
       if ((p - 10 * direction).norm() > 4.6 + std::abs(by)) CHECK(std::abs(p.norm() - 10) < 1e-9);
@@ -207,7 +207,7 @@ TEST_CASE("the parts of a tube that was cut add up to it, flat at their ends", "
     CHECK(up.volumeAfter + down.volumeAfter == Approx(both.volumeBefore).epsilon(1e-3));
     // Of a tube of round section, cut aslant, what lies above a point of its axis is what lies above a
     // straight cut there.
-    CHECK(up.volumeAfter == Approx(kPi * 4 * (10 - point.z()) - kPi * 8 / 3).epsilon(0.03));
+    CHECK(up.volumeAfter == Approx(pi * 4 * (10 - point.z()) - pi * 8 / 3).epsilon(0.03));
   }
 }
 
@@ -256,7 +256,7 @@ TEST_CASE("a hollow ball is cut open: its cavity is no more", "[touch]") {
   REQUIRE(small.isDone());
   expectTopology(small.mesh, 1, 0);
   // A ball's cap of 2 mm; the faces lie some 0.1 mm within the ball.
-  CHECK(small.volumeAfter == Approx(kPi * 4 * (30 - 2) / 3).epsilon(0.12));
+  CHECK(small.volumeAfter == Approx(pi * 4 * (30 - 2) / 3).epsilon(0.12));
 }
 
 TEST_CASE("a plane beside the surface is refused", "[touch]") {

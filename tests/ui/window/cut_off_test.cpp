@@ -60,9 +60,7 @@ class Faults {
   }
   //! All of a window, which must not be larger than the screen. On a busy machine the layout takes a while.
   void look(const QString& place, QWidget& window) {
-    settle();
-    static_cast<void>(QTest::qWaitFor([&] { return layoutFaults(window).isEmpty(); }, 1000));
-    add(place, layoutFaults(window));
+    add(place, lastingLayoutFaults(window));
     if (window.width() > kScreen.width() || window.height() > kScreen.height())
       add(place, {QStringLiteral("larger than 1280 x 800")});
     keepPicture(window, place);

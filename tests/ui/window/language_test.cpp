@@ -304,14 +304,13 @@ void LanguageTest::nothingIsCutOffInAnyLanguage() {
     for (const ui::Command step : kSteps) {
       window->showStep(step);
       window->resize(1280, 800);
-      QTest::qWait(50);  // layouts settle
-      for (const QString& fault : layoutFaults(*window))
+      for (const QString& fault : lastingLayoutFaults(*window))
         faults << window->commands()[step]->text() + ": " + fault;
     }
     ui::HelpWindow help;
     help.show(ui::HelpWindow::Page::shortcuts);
     QVERIFY(QTest::qWaitForWindowExposed(&help));
-    faults += layoutFaults(help);
+    faults += lastingLayoutFaults(help);
     QVERIFY2(faults.isEmpty(), qPrintable(code + ":\n" + faults.join(QLatin1Char('\n'))));
   }
 }

@@ -14,6 +14,7 @@
 #include <QScrollArea>
 #include <QTabBar>
 #include <QTableView>
+#include <QTest>
 #include <QToolButton>
 #include <QWidget>
 
@@ -170,6 +171,14 @@ inline QStringList layoutFaults(const QWidget& window) {
     if (!qobject_cast<const QComboBox*>(widget)) faults << overlaps(*widget);
   }
   faults.removeAll(QString());
+  return faults;
+}
+
+//! The same when layouts have had time to settle, of which they need more where the machine has other work.
+inline QStringList lastingLayoutFaults(const QWidget& window) {
+  QTest::qWait(50);  // else what was there before would be looked at
+  QStringList faults;
+  static_cast<void>(QTest::qWaitFor([&] { return (faults = layoutFaults(window)).isEmpty(); }, 3000));
   return faults;
 }
 

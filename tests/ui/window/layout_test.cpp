@@ -30,9 +30,7 @@ QStringList faultsInEveryStep(ui::MainWindow& window) {
   QStringList faults;
   for (Command step : kSteps) {
     window.showStep(step);
-    QTest::qWait(50);  // layouts settle
-    const QStringList here = layoutFaults(window);
-    for (const QString& fault : here)
+    for (const QString& fault : lastingLayoutFaults(window))
       faults << window.commands()[step]->text() + QStringLiteral(": ") + fault;
   }
   return faults;

@@ -148,8 +148,7 @@ QStringList faultsOfPages(ui::MainWindow& window) {
   for (auto page : {MeasuresPanel::Page::objects, MeasuresPanel::Page::rulers,
                     MeasuresPanel::Page::centreLine, MeasuresPanel::Page::compare}) {
     window.measures().show(page);
-    QTest::qWait(50);  // layouts settle
-    faults << layoutFaults(window);
+    faults << lastingLayoutFaults(window);
     if (!folder.isEmpty()) window.grab().save(QStringLiteral("%1/page%2.png").arg(folder).arg(number++));
   }
   return faults;
@@ -396,8 +395,7 @@ void MeasuresTest::aLabelOfAReferenceIsChosenByItsName() {
         names{"all but 0", "1 – Left internal carotid artery, lumen", "2 – Cyst é"};
     QVERIFY(box->isVisible());
     QCOMPARE(textsOf(*box), QByteArray(name).endsWith(".nii.gz") ? numbers : names);
-    QTest::qWait(50);  // layouts settle
-    const QString faults = layoutFaults(*window).join(QLatin1Char('\n'));
+    const QString faults = lastingLayoutFaults(*window).join(QLatin1Char('\n'));
     QVERIFY2(faults.isEmpty(), qPrintable(faults));
     box->setFocus();
     QTest::keyClick(box, Qt::Key_End);
@@ -563,8 +561,7 @@ void MeasuresTest::formatsThatCannotBeMadeSayWhy() {
     QCOMPARE(fault ? fault->text() : QString(), window->document().exportFault(QString::fromLatin1(ending)));
     QCOMPARE(fault != nullptr, !window->document().exportFault(QString::fromLatin1(ending)).isEmpty());
     QVERIFY(!QString::fromLatin1(ending).endsWith(".dcm") || fault);  // the volume is no DICOM
-    QTest::qWait(20);
-    const QString faults = layoutFaults(*window).join(QLatin1Char('\n'));
+    const QString faults = lastingLayoutFaults(*window).join(QLatin1Char('\n'));
     QVERIFY2(faults.isEmpty(), qPrintable(faults));
   }
   // Who made it is asked where DICOM has a place for it, and told as it was typed.

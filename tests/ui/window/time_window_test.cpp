@@ -173,8 +173,7 @@ void TimeWindowTest::nothingIsCutOffInAnyLanguage() {
     QVERIFY(window && carry(*window));
     const auto look = [&] {
       window->resize(1280, 800);
-      QTest::qWait(50);  // layouts settle
-      faults << layoutFaults(*window);
+      faults << lastingLayoutFaults(*window);
       if (window->width() > 1280 || window->height() > 800) faults << "larger than 1280 x 800";
     };
     look();
