@@ -1,20 +1,13 @@
-#include <malloc.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
-#include <cstdint>
-#include <cstdlib>
 #include <iostream>
-#include <limits>
 #include <new>
 #include <string_view>
 
 #include "app/cli/case_failure.h"
 #include "app/cli/command.h"
+#include "app/cli/heap.h"
 #include "app/cli/object_groups.h"
 #include "app/cli/slurm.h"
 #include "core/cancellation.h"
@@ -72,32 +65,6 @@ int Run::perform(const Action& action) const try {
   return fail("internal error: there is not enough memory.", kInternalError, true);
 } catch (const std::exception& error) {
   return fail(std::string("internal error: ") + error.what(), kInternalError);
-}
-
-constexpr int kTopPad = 16 << 20;  // bytes by which the heap grows at least
-
-//! A run takes and gives back much memory in a short time and then ends. What it gives back stays with it:
-//! the system would clear every page anew.
-void keepFreedMemory() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that there is
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-  mallopt(M_TOP_PAD, kTopPad);
-}
-
-//! The heap on huge pages (after keepFreedMemory): to ask the system for it by 4 KiB took a fifth of a run.
-//! What is reserved is no memory before it is used; where it cannot be reserved the heap is one like any
-//! other.
-void reserveHeap() {
-  constexpr std::uintptr_t kMaxReserve = 1 << 30, kBlock = 16 << 20, kHugePage = 2 << 20;  // bytes
-  rlimit limit{};
-  ::getrlimit(RLIMIT_AS, &limit);
-  mallopt(M_TOP_PAD, static_cast<int>(std::min<rlim_t>(kMaxReserve, limit.rlim_cur / 4)));
-  void* const block = std::malloc(kBlock);  // more than the heap has yet: it grows by that and the padding
-  const std::uintptr_t from = (reinterpret_cast<std::uintptr_t>(block) / kHugePage + 1) * kHugePage;
-  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
-  if (block && from < end) madvise(reinterpret_cast<void*>(from), end - from, MADV_HUGEPAGE);
-  std::free(block);
-  mallopt(M_TOP_PAD, kTopPad);
 }
 
 int parseAndPerform(int argc, char** argv) {

@@ -9,11 +9,16 @@
 #include <exception>
 #include <stdexcept>
 
+#include "app/cli/heap.h"
+
 namespace handlebody::bench {
 
 namespace {
 
 [[noreturn]] void beChild(int pipe, const void* result, std::size_t size, const std::function<void()>& work) {
+  // The heap that the command line has, for the peers as well.
+  cli::keepFreedMemory();
+  cli::reserveHeap();
   try {
     work();
   } catch (const std::exception& e) {
