@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 
 namespace handlebody::cli {
@@ -23,15 +24,18 @@ void keepFreedMemory() {
 }
 
 void reserveHeap() {
-  constexpr std::uintptr_t kMaxReserve = 1 << 30, kBlock = 16 << 20, kHugePage = 2 << 20;  // bytes
+  constexpr std::size_t kMaxReserve = 1 << 30, kBlock = 16 << 20, kHugePage = 2 << 20;  // bytes
   rlimit limit{};
   ::getrlimit(RLIMIT_AS, &limit);
   mallopt(M_TOP_PAD, static_cast<int>(std::min<rlim_t>(kMaxReserve, limit.rlim_cur / 4)));
-  void* const block = std::malloc(kBlock);  // more than the heap has yet: it grows by that and the padding
-  const std::uintptr_t from = (reinterpret_cast<std::uintptr_t>(block) / kHugePage + 1) * kHugePage;
-  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
-  if (block && from < end) madvise(reinterpret_cast<void*>(from), end - from, MADV_HUGEPAGE);
-  std::free(block);
+  // More than the heap has yet: it grows by that and the padding.
+  if (auto* const block = static_cast<char*>(std::malloc(kBlock))) {
+    char* const from = block + (kHugePage - reinterpret_cast<std::uintptr_t>(block) % kHugePage);
+    const auto* const end = static_cast<const char*>(sbrk(0));
+    if (std::less<const char*>()(from, end))
+      madvise(from, static_cast<std::size_t>(end - from), MADV_HUGEPAGE);
+    std::free(block);
+  }
   mallopt(M_TOP_PAD, kTopPad);
 }
 

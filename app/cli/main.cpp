@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
+#include <exception>
 #include <iostream>
 #include <new>
 #include <string_view>
@@ -97,11 +99,14 @@ int parseAndPerform(int argc, char** argv) {
 }  // namespace
 }  // namespace handlebody::cli
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   // The decoder's limit of memory is what it takes at rest and so much more.
   const bool isDecoder = argc > 1 && std::string_view(argv[1]) == "decode-dicom";
   handlebody::cli::keepFreedMemory();
   if (!isDecoder) handlebody::cli::reserveHeap();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of writing, told with the file's name
   return handlebody::cli::parseAndPerform(argc, argv);
+} catch (const std::exception& error) {  // no memory for the options themselves
+  std::fprintf(stderr, "handlebody-cli: internal error: %s\n", error.what());
+  return handlebody::cli::kInternalError;
 }

@@ -336,7 +336,10 @@ TEST_CASE("flat caps fill regions with holes", "[touch]") {
       polygons.push_back(polygon);
     };
     add(0, 0, 10, 20, false);
-    for (int h = 0; h < holes; ++h) add(1 + 3 * (h % 3), 1 + 3 * (h / 3), 1, 3, true);
+    for (int h = 0; h < holes; ++h) {
+      const int column = h % 3, row = h / 3;
+      add(1 + 3 * column, 1 + 3 * row, 1, 3, true);
+    }
     const auto faces = flatCap(p, normal, polygons);
     REQUIRE(faces.has_value());
     CHECK(area(p, *faces) == Approx(100 - holes));
