@@ -11,7 +11,7 @@ fitted by least squares to the logarithms:
     threads   the same with edges of 2 voxels, on 1 to as many threads as there are processors
     fronts    the same, grown from 1, 2, 4, 8 and 16 balls apart from each other
 
-Where it is not said there is one thread, and another, even so, that looks for what else the click may mean. Seconds are of the
+Where it is not said there is one thread, and, where it is not beyond doubt what the click means, another one. Seconds are of the
 process from start to end, the least (and most) of the runs, which take turns, without the listing of tunnels for the report.
 Memory is the most of the runs. A run longer than --limit seconds is ended and told as such. Exit code 1 if a run fails or is
 ended, a mesh has no certificate or the wrong topology, runs that must give the same mesh do not, or fewer fronts start than were
