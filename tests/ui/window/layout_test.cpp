@@ -38,7 +38,6 @@ QStringList faultsInEveryStep(ui::MainWindow& window) {
 
 QString resized(ui::MainWindow& window, const QSize& size) {
   window.resize(size);
-  QTest::qWait(50);
   return faultsInEveryStep(window).join(QLatin1Char('\n'));
 }
 
