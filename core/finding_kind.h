@@ -154,6 +154,8 @@ enum class FindingKind {
   frameHeldAtPlace,      //!< place
   frameHeldAtPlaces,     //!< places, place: the first
   frameOtherObject,      //!< candidate; cause
+  frameMovedObject,      //!< percent: shared, as Dice; from_frame
+  frameMovedInstead,     //!< from_frame; cause
   frameAtLimit,
   frameStuck,
   frameFrozen,

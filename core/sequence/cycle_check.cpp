@@ -23,6 +23,7 @@ std::vector<Drift> checkCycle(const FrameCarrier& carrier, const std::vector<Fra
   if (check == DriftCheck::wrap) {
     if (!last.isTrusted()) return {{last.frame, first.frame}};
     FrameResult beside = last;  // they lie beside each other in a cycle
+    beside.shownIn = last.frame;
     beside.frame = first.frame - 1;
     const FrameResult back = carrier.carry(beside, first.frame);
     if (told) told(back);

@@ -23,6 +23,8 @@ enum class FrameFault {
   jumped,       //!< its volume changed by more than a factor from the frame beside it
   changed,      //!< its topology is not that of the first (only where it is free)
   otherObject,  //!< the likeliest object there failed; the candidate that is nearest in volume did not
+  movedObject,  //!< it is the object of the frame beside it, as the images move it: what clicks mean is
+                //!< another
   held,         //!< changes of its topology were held back
   unfinished,   //!< it was still moving at the limit of the iterations, or rests where it would move
 };
@@ -41,6 +43,7 @@ ToldFault leakFault(const Leak& leak);
 //! What came of one frame.
 struct FrameResult {
   int frame = 0;
+  std::optional<int> shownIn{};   //!< the frame whose image shows it, if that is another
   std::optional<int> from{};      //!< the frame whose surface it started from; none: grown from the seeds
   TriangleSoup mesh{};            //!< mm LPS: closed, certified; empty: there is none
   double volume = 0;              //!< mm³ enclosed
@@ -101,17 +104,28 @@ class FrameCarrier {
   //! From the surface of `from`, which is trusted, onto another frame. The surface moves in both directions
   //! through the steps of ActiveContour, in the image of that frame alone; walls and limits of the topology
   //! stay, vetoes, pins and edits do not: they name an iteration. Where that fails, once more with the
-  //! candidate whose volume is nearest to that of `from`. Faults are told in the result. Throws what is no
-  //! fault of the frame: Cancelled, std::runtime_error of `finish`.
+  //! candidate whose volume is nearest to that of `from`. Where that fails, too, or agrees too little with
+  //! the object of `from` as the two images move it (FrameMotion), that one is taken. Faults are told in the
+  //! result. Throws what is no fault of the frame: Cancelled, std::runtime_error of `finish`.
   FrameResult carry(const FrameResult& from, int frame) const;
 
  private:
   const FrameCorrection* correctionOf(int from, int frame) const;
   FrameResult corrected(const FrameCorrection& correction, const FrameResult& from) const;
-  //! The same with one of the objects that the clicks may mean there; `candidates` gets all of them.
+  //! What the clicks mean in a frame, as far as it was looked for.
+  struct Meant {
+    std::vector<ObjectCandidate> candidates{};
+    bool isCloseChoice = true;
+  };
+  //! The same with one of the objects that the clicks may mean there.
   FrameResult attempt(const FrameResult& from, int frame, const Volume& volume, int candidate,
-                      std::vector<ObjectCandidate>& candidates) const;
+                      Meant& meant) const;
+  //! The same with what a surface encloses as the object.
+  FrameResult attemptMoved(const FrameResult& from, int frame, const Volume& volume,
+                           const TriangleSoup& moved) const;
+  FrameResult foundAnew(const FrameResult& from, int frame, const Volume& volume, Meant& meant) const;
   FrameResult tried(const FrameResult& from, int frame) const;
+  void grow(ActiveContour& contour, const FrameResult& from, FrameResult& result) const;
   void judge(const FrameResult& from, const ActiveContour& contour, FrameResult& result) const;
 
   OverTimeSettings settings_;

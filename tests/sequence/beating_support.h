@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,27 @@ inline Volume balls(const std::vector<std::pair<Vec3, double>>& all) {
   return volume;
 }
 
+inline const Vec3 kMiddle(20, 20, 20);  //!< of those volumes
+
+inline double ball(double radius) { return 4.0 / 3 * 3.14159265358979 * radius * radius * radius; }
+
+//! A ball in the middle whose core is darker than the rest of it: a click there means the core. 200 outside,
+//! 150 in the ball, 90 in the core.
+inline Volume ballWithCore(double radius, double core) {
+  const Volume whole = balls({{kMiddle, radius}}), inner = balls({{kMiddle, core}});
+  void* buffer = nullptr;
+  const Volume image = makeVolume(whole.grid, VoxelType::uint8, &buffer);
+  for (std::size_t i = 0; i < whole.grid.voxelCount(); ++i)
+    static_cast<std::uint8_t*>(buffer)[i] = static_cast<std::uint8_t>(
+        200 - (180 - whole.data<std::uint8_t>()[i]) * 50 / 120 - (180 - inner.data<std::uint8_t>()[i]) / 2);
+  return image;
+}
+
+//! Frame 0 is the first, all others are the second.
+inline std::function<Volume(int)> framesOf(const Volume& first, const Volume& next) {
+  return [first, next](int frame) { return frame == 0 ? first : next; };
+}
+
 //! Grown from the seeds in one frame, as `segment` does.
 struct GrownFrame {
   FrameResult result;
@@ -60,6 +82,19 @@ inline GrownFrame growIn(Volume volume, int frame, const Request& request) {
 
 inline FrameCarrier::Hooks hooksOf(std::function<Volume(int)> load) {
   return {std::move(load), [](const TriangleSoup& mesh) { return certifiedForExport(mesh).mesh; }};
+}
+
+inline bool has(const FrameResult& r, FrameFault fault) {
+  for (const ToldFault& f : r.faults)
+    if (f.fault == fault) return true;
+  return false;
+}
+
+//! What is told of a fault; FindingKind::none if there is none of that kind.
+inline Finding toldOf(const FrameResult& r, FrameFault fault) {
+  for (const ToldFault& f : r.faults)
+    if (f.fault == fault) return f.finding;
+  return {};
 }
 
 //! Dice of a mesh and a label map, on the map's voxels.

@@ -17,8 +17,6 @@ using namespace handlebody::test;
 
 namespace {
 
-const Vec3 kMiddle(20, 20, 20);
-
 FrameResult firstOf(const FrameCarrier& carrier, const FrameResult& start) { return carrier.carry(start, 1); }
 
 //! Carried from a ball onto another volume.
@@ -26,23 +24,8 @@ FrameResult carriedOnto(const Volume& next, bool holdTopology = true,
                         const Volume& first = balls({{kMiddle, 10}}), const Constraints& constraints = {}) {
   GrownFrame grown = growIn(first, 0, {{{kMiddle}}, {}, constraints});
   grown.settings.holdTopology = holdTopology;
-  return firstOf(FrameCarrier(grown.settings, hooksOf([&](int) { return next; })), grown.result);
+  return firstOf(FrameCarrier(grown.settings, hooksOf(framesOf(first, next))), grown.result);
 }
-
-bool has(const FrameResult& r, FrameFault fault) {
-  for (const ToldFault& f : r.faults)
-    if (f.fault == fault) return true;
-  return false;
-}
-
-//! What is told of a fault; FindingKind::none if there is none of that kind.
-Finding toldOf(const FrameResult& r, FrameFault fault) {
-  for (const ToldFault& f : r.faults)
-    if (f.fault == fault) return f.finding;
-  return {};
-}
-
-double ball(double radius) { return 4.0 / 3 * 3.14159265358979 * radius * radius * radius; }
 
 }  // namespace
 
@@ -95,7 +78,7 @@ TEST_CASE("an object that comes apart is held together, unless its topology is f
   REQUIRE(grown.result.components == 1);
   const auto carried = [&](bool hold) {
     grown.settings.holdTopology = hold;
-    return firstOf(FrameCarrier(grown.settings, hooksOf([&](int) { return parts; })), grown.result);
+    return firstOf(FrameCarrier(grown.settings, hooksOf(framesOf(whole, parts))), grown.result);
   };
   const FrameResult held = carried(true);
   CHECK(held.components == 1);
@@ -140,27 +123,21 @@ TEST_CASE("a frame without the object is told, and so is one in which its volume
 }
 
 TEST_CASE("a surface that still moves at the limit of the iterations is told, with the limit's name") {
-  GrownFrame grown = growIn(balls({{kMiddle, 10}}), 0, {{{kMiddle}}, {}, {}});
+  const Volume image = balls({{kMiddle, 10}});
+  GrownFrame grown = growIn(image, 0, {{{kMiddle}}, {}, {}});
   grown.settings.request.parameters.maxIterations = 1;
-  const Volume larger = balls({{kMiddle, 12}});
   const FrameResult r =
-      firstOf(FrameCarrier(grown.settings, hooksOf([&](int) { return larger; })), grown.result);
+      firstOf(FrameCarrier(grown.settings, hooksOf(framesOf(image, balls({{kMiddle, 12}})))), grown.result);
   CHECK(toldOf(r, FrameFault::unfinished).kind == FindingKind::frameAtLimit);
   CHECK(sentence(toldOf(r, FrameFault::unfinished)) ==
         "the surface was not at rest of its own accord (max-iterations)");
 }
 
 TEST_CASE("where the likeliest object is another one, the candidate that is nearest in volume is taken") {
-  // A core that is darker than the rest of the ball: a click there means the core.
-  const Volume whole = balls({{kMiddle, 12}}), inner = balls({{kMiddle, 5}});
-  void* buffer = nullptr;
-  const Volume image = makeVolume(whole.grid, VoxelType::uint8, &buffer);
-  for (std::size_t i = 0; i < whole.grid.voxelCount(); ++i)  // 200 outside, 150 in the ball, 90 in the core
-    static_cast<std::uint8_t*>(buffer)[i] = static_cast<std::uint8_t>(
-        200 - (180 - whole.data<std::uint8_t>()[i]) * 50 / 120 - (180 - inner.data<std::uint8_t>()[i]) / 2);
+  const Volume image = ballWithCore(12, 5);
   const GrownFrame alone = growIn(image, 1, {{{kMiddle}}, {}, {}});
   REQUIRE(alone.result.volume == Approx(ball(5)).epsilon(0.1));
-  const FrameResult r = carriedOnto(image, true, balls({{kMiddle, 11}}));
+  const FrameResult r = carriedOnto(image, true, balls({{kMiddle, 12}}));
   CHECK(r.isTrusted());
   CHECK(has(r, FrameFault::otherObject));
   const Finding other = toldOf(r, FrameFault::otherObject);
