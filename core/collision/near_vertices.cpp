@@ -18,19 +18,6 @@ double longestOf(const DetectionWorkspace& work, const Triangle& t) {
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
-//! mm², of the edges of all faces.
-double longestOfAll(const DetectionWorkspace& work) {
-  std::vector<double> longest(sharesOf(work.faces.size(), work.threads, kFacesPerThread), 0);
-  forSharesOnThreads(work.faces.size(), work.threads, kFacesPerThread, [&](const Share& share) {
-    const auto [from, to] = share.of(work.faces.size());
-    double most = 0;
-    for (const Triangle& t : work.faces.subspan(from, to - from))
-      if (t[0] >= 0) most = std::max(most, longestOf(work, t));
-    longest[share.part] = most;
-  });
-  return *std::max_element(longest.begin(), longest.end());
-}
-
 //! Adds the inactive vertices for which isNear(v), and measures their stars.
 template <typename F>
 void addInactive(DetectionWorkspace& work, F&& isNear) {
@@ -55,9 +42,27 @@ void addInactive(DetectionWorkspace& work, F&& isNear) {
 
 }  // namespace
 
+//! Returns that of all faces.
+double NearVertices::measureFaces(const DetectionWorkspace& work) {
+  const std::size_t count = work.faces.size();
+  longest_.resize(count);
+  std::vector<double> most(sharesOf(count, work.threads, kFacesPerThread), 0);
+  forSharesOnThreads(count, work.threads, kFacesPerThread, [&](const Share& share) {
+    const auto [from, to] = share.of(count);
+    double of = 0;
+    for (std::size_t f = from; f < to; ++f) {
+      const Triangle& t = work.faces[f];
+      longest_[f] = t[0] < 0 ? 0 : longestOf(work, t);
+      of = std::max(of, longest_[f]);
+    }
+    most[share.part] = of;
+  });
+  return *std::max_element(most.begin(), most.end());
+}
+
 void NearVertices::add(DetectionWorkspace& work) {
   if (work.vertices.empty()) return;
-  work.longestSquared = longestOfAll(work);
+  work.longestSquared = measureFaces(work);
   // Where nearly all are active, looking which of the others are near costs more than it saves.
   const bool nearlyAll = work.vertices.size() > work.points.size() / 4 * 3;
   if (!nearlyAll && work.areLevelsWorth()) return addOfLevels(work);
@@ -68,10 +73,10 @@ void NearVertices::add(DetectionWorkspace& work) {
 //! Each of the others by its own size, as its faces tell it.
 void NearVertices::addOfLevels(DetectionWorkspace& work) {
   mostAround_.assign(work.points.size(), 0);
-  for (const Triangle& t : work.faces) {
+  for (std::size_t f = 0; f < work.faces.size(); ++f) {
+    const Triangle& t = work.faces[f];
     if (t[0] < 0) continue;
-    const double longest = longestOf(work, t);
-    for (const int v : t) mostAround_[v] = std::max(mostAround_[v], longest);
+    for (const int v : t) mostAround_[v] = std::max(mostAround_[v], longest_[f]);
   }
   nearLevels_.build(work.points, work.vertices, work.starSizes, work.longestSquared * kMeasured);
   addInactive(work, [&](int v) {

@@ -17,10 +17,12 @@ class NearVertices {
   void add(DetectionWorkspace& work);
 
  private:
+  double measureFaces(const DetectionWorkspace& work);
   void addOfLevels(DetectionWorkspace& work);
 
   NearPoints near_;
   NearLevels nearLevels_;
+  std::vector<double> longest_;     // per face: squared longest edge
   std::vector<double> mostAround_;  // per vertex: squared longest edge of its faces, opposite ones included
 };
 

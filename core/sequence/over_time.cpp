@@ -83,6 +83,18 @@ double agreement(const TriangleSoup& a, const TriangleSoup& b) {
   return o.a + o.b > 0 ? 2 * o.both / (o.a + o.b) : 0;
 }
 
+//! That `grow` finds no object is a fault of the frame; so is a wall or a range that does not go with it.
+template <typename F>
+void orNoObject(FrameResult& result, F&& grow) {
+  try {
+    grow();
+  } catch (const SeedError& error) {
+    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
+  } catch (const UsageError& error) {
+    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
+  }
+}
+
 bool foundNothing(const FrameResult& result) {
   return std::any_of(result.faults.begin(), result.faults.end(),
                      [](const ToldFault& f) { return f.fault == FrameFault::noObject; });
@@ -192,7 +204,7 @@ FrameResult FrameCarrier::corrected(const FrameCorrection& correction, const Fra
   result.isCorrected = true;
   const Volume volume = hooks_.load(correction.frame);
   const Request& r = correction.request;
-  try {
+  orNoObject(result, [&] {
     ActiveContour contour(volume, r.seeds, r.parameters, r.constraints);
     contour.startFrom(Mesh(from.mesh), settings_.holdTopology);
     auto change = correction.changes.begin();
@@ -208,11 +220,7 @@ FrameResult FrameCarrier::corrected(const FrameCorrection& correction, const Fra
     // Where it was stopped by hand that is what was meant.
     if (correction.stopAt)
       std::erase_if(result.faults, [](const ToldFault& f) { return f.fault == FrameFault::unfinished; });
-  } catch (const SeedError& error) {
-    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
-  } catch (const UsageError& error) {
-    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
-  }
+  });
   return result;
 }
 
@@ -225,16 +233,12 @@ FrameResult FrameCarrier::attempt(const FrameResult& from, int frame, const Volu
   Parameters parameters = r.parameters;
   parameters.candidate = candidate;
   std::optional<ActiveContour> made;
-  try {
+  orNoObject(result, [&] {
     ActiveContour& contour = made.emplace(volume, carriedSeeds(r.seeds, from.mesh, settings_.edgeLength),
                                           parameters, r.constraints);
     contour.startFrom(Mesh(from.mesh), settings_.holdTopology);
     grow(contour, from, result);
-  } catch (const SeedError& error) {
-    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
-  } catch (const UsageError& error) {  // a wall or a range that does not go with this frame
-    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
-  }
+  });
   if (!made) return result;
   // Not known yet: it is beyond doubt, and to look for it would take long.
   meant.isCloseChoice = made->choices()->areKnown() && made->isCloseChoice();
@@ -261,16 +265,12 @@ FrameResult FrameCarrier::attemptMoved(const FrameResult& from, int frame, const
   StartSurface& object = r.constraints.start.emplace();
   object.mesh = std::make_shared<const TriangleSoup>(moved);
   object.inside = deepestPlace(moved).centre;
-  try {
+  orNoObject(result, [&] {
     ActiveContour contour(volume, carriedSeeds(r.seeds, moved, settings_.edgeLength), r.parameters,
                           r.constraints);
     contour.startFrom(Mesh(certify(moved).boundsBody() ? moved : from.mesh), settings_.holdTopology);
     grow(contour, from, result);
-  } catch (const SeedError& error) {
-    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
-  } catch (const UsageError& error) {
-    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
-  }
+  });
   return result;
 }
 

@@ -46,6 +46,7 @@ Figures figuresOf(const BeatingPhantom& phantom) {
   }
   out.ejection = curveOf(frames).ejectionFraction;
   FrameResult beside = frames.back();
+  beside.shownIn = last;
   beside.frame = -1;
   const FrameResult back = carrier.carry(beside, 0);
   const Drift drift = driftBetween(grown.result.mesh, back.mesh, grown.settings.edgeLength);
