@@ -1,5 +1,6 @@
 #include "core/sequence/frame_motion.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -17,18 +18,12 @@ constexpr double kFlat = 0.2;    // of the deviation of all cells: what varies b
 constexpr double kSmooth = 1;    // cells, standard deviation: of each step, and of all of them
 
 CellGrid cellsNear(const TriangleSoup& surface, const Grid& volume) {
-  Vec3 low = surface.points.front(), high = low;
-  for (const Vec3& p : surface.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double room = kRoom * (high - low).maxCoeff();
+  using Box = Eigen::AlignedBox3d;
+  Box box;
+  for (const Vec3& p : surface.points) box.extend(p);
   std::vector<Reach> corners;
-  for (int corner = 0; corner < 8; ++corner) {
-    Vec3 p;
-    for (int a = 0; a < 3; ++a) p[a] = (corner >> a & 1) != 0 ? high[a] : low[a];
-    corners.push_back({p, room});
-  }
+  for (int c = Box::BottomLeftFloor; c <= Box::TopRightCeil; ++c)
+    corners.push_back({box.corner(static_cast<Box::CornerType>(c)), kRoom * box.sizes().maxCoeff()});
   return cellsAround(volume, corners, kCells);
 }
 

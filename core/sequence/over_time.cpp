@@ -95,11 +95,6 @@ void orNoObject(FrameResult& result, F&& grow) {
   }
 }
 
-bool foundNothing(const FrameResult& result) {
-  return std::any_of(result.faults.begin(), result.faults.end(),
-                     [](const ToldFault& f) { return f.fault == FrameFault::noObject; });
-}
-
 bool isJump(double before, double now, int frames) {
   const double ratio = now > before ? now / before : before / now;
   return !(ratio <= std::pow(kJump, frames));
@@ -290,24 +285,20 @@ FrameResult FrameCarrier::foundAnew(const FrameResult& from, int frame, const Vo
 }
 
 //! Where the image leaves open what clicks mean, they do not know what was decided in the frame beside it.
-//! That is not asked where there is no object at all, or a range of intensities says what it is.
+//! Where what they mean fails, the frame does: what has moved there may be shown by nothing.
 FrameResult FrameCarrier::tried(const FrameResult& from, int frame) const {
   const Volume volume = hooks_.load(frame);
   Meant meant;
   FrameResult anew = foundAnew(from, frame, volume, meant);
-  if ((anew.isTrusted() && !meant.isCloseChoice) || foundNothing(anew) ||
-      carriedRequest(settings_, frame).parameters.range)
-    return anew;
+  if (!anew.isTrusted() || !meant.isCloseChoice) return anew;
   const FrameMotion motion(hooks_.load(from.shownIn.value_or(from.frame)), volume, from.mesh);
   const TriangleSoup object = motion.moved(from.mesh);
-  const double agreed = anew.isTrusted() ? agreement(anew.mesh, object) : 0;
+  const double agreed = agreement(anew.mesh, object);
   if (agreed >= kAgrees) return anew;
   FrameResult moved = attemptMoved(from, frame, volume, object);
   if (!moved.isTrusted()) return anew;
-  Finding told{K::frameMovedObject, {{"percent", 100 * agreed}, {"from_frame", from.frame}}};
-  if (!anew.isTrusted())
-    told = {K::frameMovedInstead, {{"from_frame", from.frame}}, std::move(anew.faults.front().finding)};
-  moved.faults.push_back({FrameFault::movedObject, std::move(told)});
+  moved.faults.push_back({FrameFault::movedObject,
+                          {K::frameMovedObject, {{"percent", 100 * agreed}, {"from_frame", from.frame}}}});
   return moved;
 }
 

@@ -104,9 +104,9 @@ class FrameCarrier {
   //! From the surface of `from`, which is trusted, onto another frame. The surface moves in both directions
   //! through the steps of ActiveContour, in the image of that frame alone; walls and limits of the topology
   //! stay, vetoes, pins and edits do not: they name an iteration. Where that fails, once more with the
-  //! candidate whose volume is nearest to that of `from`. Where that fails, too, or the choice is close and
-  //! what was found agrees too little with the object of `from` as the two images move it (FrameMotion), that
-  //! one is taken. Faults are told in the result. Throws what is no fault of the frame: Cancelled,
+  //! candidate whose volume is nearest to that of `from`. Where that does not fail, but the choice is close
+  //! and what was found agrees too little with the object of `from` as the two images move it (FrameMotion),
+  //! that one is taken. Faults are told in the result. Throws what is no fault of the frame: Cancelled,
   //! std::runtime_error of `finish`.
   FrameResult carry(const FrameResult& from, int frame) const;
 
@@ -116,7 +116,7 @@ class FrameCarrier {
   //! What the clicks mean in a frame, as far as it was looked for.
   struct Meant {
     std::vector<ObjectCandidate> candidates{};
-    bool isCloseChoice = true;
+    bool isCloseChoice = false;
   };
   //! The same with one of the objects that the clicks may mean there.
   FrameResult attempt(const FrameResult& from, int frame, const Volume& volume, int candidate,

@@ -51,7 +51,7 @@ TEST_CASE("a ball that is shifted or shrinks takes its surface along, with anoth
     const auto movedTo = [&](const Volume& next) {
       return FrameMotion(first, gain ? withGain(next) : next, surface).moved(surface);
     };
-    for (const double part : {0.5, 1.0}) {  // the whole shift is two cells: some of it stays behind
+    for (const double part : {0.5, 1.0}) {  // a quarter stays behind: the steps are smoothed
       INFO("gain " << gain << ", part " << part);
       const Vec3 shift = part * Vec3(3, -2, 1.5);
       const TriangleSoup shifted = movedTo(balls({{kMiddle + shift, 10}}));

@@ -40,16 +40,11 @@ TEST_CASE("where clicks mean another object than the frame before had, that one 
         std::string::npos);
 }
 
-TEST_CASE("where what clicks mean fails, the object of the frame before is taken, and both are told") {
-  const FrameResult r = carriedIn(balls({{kMiddle + Vec3(5, 0, 0), 5}}));
-  CHECK(r.isTrusted());
-  CHECK(r.volume == Approx(ball(12)).epsilon(0.1));
-  const Finding told = toldOf(r, FrameFault::movedObject);
-  REQUIRE(told.kind == FindingKind::frameMovedInstead);
-  REQUIRE(told.causes.size() == 1);
-  CHECK(told.causes.front().kind == FindingKind::frameJumped);
-  CHECK(sentence(told) == "what the clicks mean there fails (" + sentence(told.causes.front()) +
-                              "); the object of frame 0 as the images move it was taken");
+TEST_CASE("where what clicks mean fails the frame fails, whatever the frame before had") {
+  const FrameResult r = carriedIn(balls({{kClick, 5}}));
+  CHECK_FALSE(r.isTrusted());
+  CHECK(has(r, FrameFault::jumped));
+  CHECK_FALSE(has(r, FrameFault::movedObject));
 }
 
 TEST_CASE("a range of intensities says by itself what the object is in every frame") {
@@ -61,11 +56,12 @@ TEST_CASE("a range of intensities says by itself what the object is in every fra
 }
 
 TEST_CASE("in a cycle what is carried to the first frame comes from the image of the last") {
+  // Which is asked for, since the choice is close.
   const auto frame = [](int f) {
     if (f < 0) throw InputError("there is no such frame.");
-    return balls({{kMiddle, 12.0 - 0.25 * f}});
+    return ballWithCore(12, 9.5);
   };
-  const GrownFrame grown = growIn(frame(0), 0, {{{kMiddle}}, {}, {}});
+  const GrownFrame grown = growIn(balls({{kMiddle, 12}}), 0, {{{kClick}}, {}, {}});
   const FrameCarrier carrier(grown.settings, hooksOf(frame));
   std::vector<FrameResult> frames{grown.result};
   for (FrameResult& r : carryThrough(carrier, grown.result, 2)) frames.push_back(std::move(r));
