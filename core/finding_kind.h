@@ -155,7 +155,6 @@ enum class FindingKind {
   frameHeldAtPlaces,     //!< places, place: the first
   frameOtherObject,      //!< candidate; cause
   frameMovedObject,      //!< percent: shared, as Dice; from_frame
-  frameMovedInstead,     //!< from_frame; cause
   frameAtLimit,
   frameStuck,
   frameFrozen,

@@ -383,10 +383,6 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame "
                        "{from_frame} as the images move it; the latter was taken")},
-    {K::frameMovedInstead, "frame-moved-instead",
-     QT_TRANSLATE_NOOP("Findings",
-                       "what the clicks mean there fails ({cause}); the object of frame {from_frame} as the "
-                       "images move it was taken")},
     {K::frameAtLimit, "frame-at-limit", "the surface was not at rest of its own accord (max-iterations)"},
     {K::frameStuck, "frame-stuck", "the surface was not at rest of its own accord (stuck)"},
     {K::frameFrozen, "frame-frozen", "the surface was not at rest of its own accord (frozen)"},

@@ -2147,10 +2147,6 @@
         <source>what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame {from_frame} as the images move it; the latter was taken</source>
         <translation>was die Klicks dort meinen, stimmt zu {percent:0f} % (Dice) mit dem Objekt von Bild {from_frame} überein, wie die Bilder es bewegen; Letzteres wurde genommen</translation>
     </message>
-    <message>
-        <source>what the clicks mean there fails ({cause}); the object of frame {from_frame} as the images move it was taken</source>
-        <translation>was die Klicks dort meinen, scheitert ({cause}); das Objekt von Bild {from_frame}, wie die Bilder es bewegen, wurde genommen</translation>
-    </message>
 </context>
 <context>
     <name>Sentences</name>

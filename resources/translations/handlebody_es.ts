@@ -2147,10 +2147,6 @@
         <source>what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame {from_frame} as the images move it; the latter was taken</source>
         <translation>lo que indican los clics allí coincide en un {percent:0f} % (Dice) con el objeto del fotograma {from_frame} tal como lo mueven las imágenes; se tomó este último</translation>
     </message>
-    <message>
-        <source>what the clicks mean there fails ({cause}); the object of frame {from_frame} as the images move it was taken</source>
-        <translation>lo que indican los clics allí falla ({cause}); se tomó el objeto del fotograma {from_frame} tal como lo mueven las imágenes</translation>
-    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -2147,10 +2147,6 @@
         <source>what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame {from_frame} as the images move it; the latter was taken</source>
         <translation>ce que désignent les clics y concorde à {percent:0f} % (Dice) avec l’objet de l’image {from_frame} tel que les images le déplacent ; c’est ce dernier qui a été pris</translation>
     </message>
-    <message>
-        <source>what the clicks mean there fails ({cause}); the object of frame {from_frame} as the images move it was taken</source>
-        <translation>ce que désignent les clics y échoue ({cause}) ; l’objet de l’image {from_frame} tel que les images le déplacent a été pris</translation>
-    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -2147,10 +2147,6 @@
         <source>what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame {from_frame} as the images move it; the latter was taken</source>
         <translation>那里点击所指的目标与随图像移动的第 {from_frame} 帧目标吻合 {percent:0f} %（Dice）；已采用后者</translation>
     </message>
-    <message>
-        <source>what the clicks mean there fails ({cause}); the object of frame {from_frame} as the images move it was taken</source>
-        <translation>那里点击所指的目标失败（{cause}）；已采用随图像移动的第 {from_frame} 帧目标</translation>
-    </message>
 </context>
 <context>
     <name>Sentences</name>
