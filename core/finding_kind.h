@@ -155,10 +155,11 @@ enum class FindingKind {
   frameHeldAtPlaces,     //!< places, place: the first
   frameOtherObject,      //!< candidate; cause
   frameMovedObject,      //!< percent: shared, as Dice; from_frame
+  frameMovedInstead,     //!< from_frame; cause
+  frameFromFailed,       //!< from_frame
   frameAtLimit,
   frameStuck,
   frameFrozen,
-  frameUnfinished,  //!< stopped
 
   // What is wrong with a file: whole sentences that name it …
   fileRefused,        //!< file; cause

@@ -383,10 +383,15 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame "
                        "{from_frame} as the images move it; the latter was taken")},
+    {K::frameMovedInstead, "frame-moved-instead",
+     QT_TRANSLATE_NOOP("Findings",
+                       "what the clicks mean there fails ({cause}); the object of frame {from_frame} as the "
+                       "images move it was taken")},
+    {K::frameFromFailed, "frame-from-failed",
+     QT_TRANSLATE_NOOP("Findings", "it was carried from frame {from_frame}, whose surface failed")},
     {K::frameAtLimit, "frame-at-limit", "the surface was not at rest of its own accord (max-iterations)"},
     {K::frameStuck, "frame-stuck", "the surface was not at rest of its own accord (stuck)"},
     {K::frameFrozen, "frame-frozen", "the surface was not at rest of its own accord (frozen)"},
-    {K::frameUnfinished, "frame-unfinished", "the surface was not at rest of its own accord ({stopped})"},
 
     {K::balloonNotPositive, "balloon-not-positive",
      QT_TRANSLATE_NOOP("Findings", "The balloon weight must be a number above 0.")},

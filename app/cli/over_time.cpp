@@ -173,8 +173,10 @@ FrameResult grownFrame(const GrownObject& grown) {
   result.iterations = grown.report.iterations;
   result.stopped = grown.report.stopped;
   result.seconds = grown.report.seconds.load + grown.report.seconds.prepare + grown.report.seconds.evolve;
-  for (const ToldLeak& leak : grown.report.leaks)
-    if (leak.answer != LeakAnswer::wall) result.faults.push_back(leakFault(leak.leak));
+  for (const ToldLeak& leak : grown.report.leaks)  // before the first of them it may have been stopped
+    if (leak.answer != LeakAnswer::wall && leak.leak.iteration <= result.iterations)
+      result.faults.push_back(leakFault(leak.leak));
+  for (ToldFault& f : faultsAtEnd(result.stopped, grown.report.held)) result.faults.push_back(std::move(f));
   return result;
 }
 

@@ -21,6 +21,7 @@ std::vector<Drift> checkCycle(const FrameCarrier& carrier, const std::vector<Fra
   if (check == DriftCheck::none || frames.size() < 2) return drifts;
   const FrameResult &first = frames.front(), &last = frames.back();
   if (check == DriftCheck::wrap) {
+    if (!first.isTrusted()) return drifts;  // there is nothing to compare with
     if (!last.isTrusted()) return {{last.frame, first.frame}};
     FrameResult beside = last;  // they lie beside each other in a cycle
     beside.shownIn = last.frame;

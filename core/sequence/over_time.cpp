@@ -6,11 +6,9 @@
 #include <limits>
 #include <numeric>
 
-#include "core/collision/certify.h"
 #include "core/evolution/clicked_object.h"
 #include "core/mesh/validity.h"
 #include "core/sequence/carried_seeds.h"
-#include "core/sequence/frame_motion.h"
 #include "core/solid/overlap.h"
 #include "core/told_error.h"
 #include "core/units.h"
@@ -45,8 +43,7 @@ Finding holding(const std::vector<HeldPlace>& held) {
 Finding unfinished(StopReason stopped) {
   const K kind = stopped == StopReason::maxIterations ? K::frameAtLimit
                  : stopped == StopReason::stuck       ? K::frameStuck
-                 : stopped == StopReason::frozen      ? K::frameFrozen
-                                                      : K::frameUnfinished;
+                                                      : K::frameFrozen;
   return {kind, {{"stopped", std::string(stopReasonName(stopped))}}};
 }
 
@@ -74,6 +71,9 @@ std::optional<int> nearestOther(const std::vector<ObjectCandidate>& candidates, 
 // the same to 0.002, and the higher the more often a frame rests on those before it.
 constexpr double kAgrees = 0.95;
 
+// Where nothing but the frame before says that there is something, most of it must be seen.
+constexpr double kMaxUnshown = 0.5;
+
 constexpr double kSteps = 48;  // along a cube of the same volume: where it is looked how far two agree
 
 //! Dice of what the two surfaces enclose. Precondition: neither is empty.
@@ -94,6 +94,21 @@ void orNoObject(FrameResult& result, F&& grow) {
     result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
   }
 }
+
+//! Between the grown frame and this one, this one among them, in the order in which they are carried.
+std::vector<const FrameCorrection*> correctionsUpTo(int frame, const OverTimeSettings& settings) {
+  const int home = settings.grownFrame;
+  std::vector<const FrameCorrection*> those;
+  for (const FrameCorrection& c : settings.corrections)
+    if (frame > home ? c.frame > home && c.frame <= frame : c.frame < home && c.frame >= frame)
+      those.push_back(&c);
+  const auto distance = [home](const FrameCorrection* c) { return std::abs(c->frame - home); };
+  std::ranges::sort(those, {}, distance);
+  return those;
+}
+
+//! The same in every frame.
+bool saysWhatItIs(const Parameters& asked) { return asked.range.has_value(); }
 
 bool isJump(double before, double now, int frames) {
   const double ratio = now > before ? now / before : before / now;
@@ -116,6 +131,8 @@ const char* frameFaultName(FrameFault fault) {
       return "jumped";
     case FrameFault::changed:
       return "topology-changed";
+    case FrameFault::fromFailed:
+      return "from-failed";
     case FrameFault::otherObject:
       return "other-object";
     case FrameFault::movedObject:
@@ -131,12 +148,25 @@ ToldFault leakFault(const Leak& leak) { return {FrameFault::leaked, {K::frameLea
 
 bool isFailure(FrameFault fault) {
   return fault == FrameFault::unreadable || fault == FrameFault::noObject || fault == FrameFault::vanished ||
-         fault == FrameFault::leaked || fault == FrameFault::jumped;
+         fault == FrameFault::leaked || fault == FrameFault::jumped || fault == FrameFault::fromFailed;
+}
+
+std::vector<ToldFault> faultsAtEnd(StopReason stopped, const std::vector<HeldPlace>& held) {
+  std::vector<ToldFault> faults;
+  if (!held.empty()) faults.push_back({FrameFault::held, holding(held)});
+  if (stopped == StopReason::maxIterations || stopped == StopReason::stuck || stopped == StopReason::frozen)
+    faults.push_back({FrameFault::unfinished, unfinished(stopped)});
+  return faults;
 }
 
 bool FrameResult::isTrusted() const {
+  const auto isFromFailed = [](const ToldFault& f) { return f.fault == FrameFault::fromFailed; };
+  return startsNext() && std::none_of(faults.begin(), faults.end(), isFromFailed);
+}
+
+bool FrameResult::startsNext() const {
   for (const ToldFault& f : faults)
-    if (isFailure(f.fault)) return false;
+    if (isFailure(f.fault) && f.fault != FrameFault::fromFailed) return false;
   return !mesh.triangles.empty();
 }
 
@@ -145,7 +175,7 @@ bool FrameCorrection::operator==(const FrameCorrection& o) const {
     return a.iteration == b.iteration && a.parameters == b.parameters && a.seeds == b.seeds &&
            a.constraints == b.constraints;
   };
-  return frame == o.frame && request == o.request && stopAt == o.stopAt &&
+  return frame == o.frame && request == o.request && stopAt == o.stopAt && isOfMoved == o.isOfMoved &&
          std::equal(changes.begin(), changes.end(), o.changes.begin(), o.changes.end(), areAlike);
 }
 
@@ -155,25 +185,29 @@ Request finalRequest(const FrameCorrection& correction) {
   return request;
 }
 
-Request carriedRequest(const OverTimeSettings& settings, int frame) {
-  const FrameCorrection* nearest = nullptr;  // between the grown frame and this one
-  const int home = settings.grownFrame;
-  for (const FrameCorrection& c : settings.corrections) {
-    const bool isBetween =
-        frame > home ? c.frame > home && c.frame <= frame : c.frame < home && c.frame >= frame;
-    if (isBetween && (!nearest || std::abs(c.frame - home) > std::abs(nearest->frame - home))) nearest = &c;
-  }
+FrameCorrection withObject(FrameCorrection correction, const StartSurface& object) {
+  correction.request.constraints.start = object;
+  for (ParameterChange& change : correction.changes)
+    if (change.constraints) change.constraints->start = object;
+  return correction;
+}
+
+Request carriedRequest(const OverTimeSettings& settings, int frame, const std::optional<MovedObject>& moved) {
   Request r = settings.request;
-  if (nearest) {
-    const Request last = finalRequest(*nearest);
+  for (const FrameCorrection* c : correctionsUpTo(frame, settings)) {
+    const Request last = finalRequest(*c);
     r.seeds = last.seeds;
     r.constraints = last.constraints;
-    r.parameters.candidate = last.parameters.candidate;
+    if (!c->isOfMoved) r.parameters.candidate = last.parameters.candidate;  // there it is no choice
   }
   r.parameters.edgeLength = settings.edgeLength;
   r.parameters.smoothing = settings.smoothing;
   r.parameters.direction = Direction::both;
   r.constraints.start.reset();  // it begins with the surface that is carried
+  if (moved) {
+    r.constraints.start = moved->given();
+    r.parameters.candidate = 1;
+  }
   r.constraints.vetoes.clear();
   r.constraints.pins.clear();
   r.constraints.edits.clear();
@@ -192,16 +226,23 @@ const FrameCorrection* FrameCarrier::correctionOf(int from, int frame) const {
   return nullptr;
 }
 
-FrameResult FrameCarrier::corrected(const FrameCorrection& correction, const FrameResult& from) const {
+MovedObject FrameCarrier::movedFrom(const FrameResult& from, const Volume& volume) const {
+  return movedObject(hooks_.load(from.shownIn.value_or(from.frame)), volume, from.mesh);
+}
+
+FrameResult FrameCarrier::corrected(const FrameCorrection& asked, const FrameResult& from) const {
   FrameResult result;
-  result.frame = correction.frame;
+  result.frame = asked.frame;
   result.from = from.frame;
   result.isCorrected = true;
-  const Volume volume = hooks_.load(correction.frame);
+  const Volume volume = hooks_.load(asked.frame);
+  if (asked.isOfMoved) result.moved = movedFrom(from, volume);
+  const FrameCorrection correction = asked.isOfMoved ? withObject(asked, result.moved->given()) : asked;
   const Request& r = correction.request;
   orNoObject(result, [&] {
     ActiveContour contour(volume, r.seeds, r.parameters, r.constraints);
-    contour.startFrom(Mesh(from.mesh), settings_.holdTopology);
+    const TriangleSoup& beginning = result.moved ? result.moved->beginning(from.mesh) : from.mesh;
+    contour.startFrom(Mesh(beginning), settings_.holdTopology);
     auto change = correction.changes.begin();
     while (contour.iteration() < correction.stopAt.value_or(std::numeric_limits<int>::max())) {
       if (change != correction.changes.end() && change->iteration == contour.iteration()) {
@@ -249,22 +290,23 @@ void FrameCarrier::grow(ActiveContour& contour, const FrameResult& from, FrameRe
   judge(from, contour, result);
 }
 
-//! With what a surface encloses given as the object (docs/object.md), and the clicks as corrections of it.
 FrameResult FrameCarrier::attemptMoved(const FrameResult& from, int frame, const Volume& volume,
-                                       const TriangleSoup& moved) const {
+                                       const MovedObject& moved, bool mustBeShown) const {
   FrameResult result;
   result.frame = frame;
   result.from = from.frame;
-  Request r = carriedRequest(settings_, frame);
-  r.parameters.candidate = 1;
-  StartSurface& object = r.constraints.start.emplace();
-  object.mesh = std::make_shared<const TriangleSoup>(moved);
-  object.inside = deepestPlace(moved).centre;
+  result.moved = moved;
+  const Request r = carriedRequest(settings_, frame, moved);
+  const auto isShown = [&](const ActiveContour& contour) {
+    return !mustBeShown || contour.support().withoutEdge <= kMaxUnshown;
+  };
   orNoObject(result, [&] {
-    ActiveContour contour(volume, carriedSeeds(r.seeds, moved, settings_.edgeLength), r.parameters,
+    ActiveContour contour(volume, carriedSeeds(r.seeds, *moved.surface, settings_.edgeLength), r.parameters,
                           r.constraints);
-    contour.startFrom(Mesh(certify(moved).boundsBody() ? moved : from.mesh), settings_.holdTopology);
-    grow(contour, from, result);
+    contour.startFrom(Mesh(moved.beginning(from.mesh)), settings_.holdTopology);
+    // Not grown where nothing is shown: there it would go on to the limit of the iterations.
+    if (isShown(contour)) grow(contour, from, result);
+    if (!isShown(contour)) result.mesh = {};
   });
   return result;
 }
@@ -284,21 +326,23 @@ FrameResult FrameCarrier::foundAnew(const FrameResult& from, int frame, const Vo
   return second;
 }
 
-//! Where the image leaves open what clicks mean, they do not know what was decided in the frame beside it.
-//! Where what they mean fails, the frame does: what has moved there may be shown by nothing.
+//! Clicks do not know what was decided in the frame beside it: where they mean nothing that can be, and where
+//! the image leaves open what they mean. In the former case what has moved there may be shown by nothing.
 FrameResult FrameCarrier::tried(const FrameResult& from, int frame) const {
   const Volume volume = hooks_.load(frame);
   Meant meant;
   FrameResult anew = foundAnew(from, frame, volume, meant);
-  if (!anew.isTrusted() || !meant.isCloseChoice) return anew;
-  const FrameMotion motion(hooks_.load(from.shownIn.value_or(from.frame)), volume, from.mesh);
-  const TriangleSoup object = motion.moved(from.mesh);
-  const double agreed = agreement(anew.mesh, object);
+  const bool fails = !anew.isTrusted();
+  if (fails ? saysWhatItIs(settings_.request.parameters) : !meant.isCloseChoice) return anew;
+  const MovedObject object = movedFrom(from, volume);
+  const double agreed = fails ? 0 : agreement(anew.mesh, *object.surface);
   if (agreed >= kAgrees) return anew;
-  FrameResult moved = attemptMoved(from, frame, volume, object);
+  FrameResult moved = attemptMoved(from, frame, volume, object, fails);
   if (!moved.isTrusted()) return anew;
-  moved.faults.push_back({FrameFault::movedObject,
-                          {K::frameMovedObject, {{"percent", 100 * agreed}, {"from_frame", from.frame}}}});
+  Finding told =
+      fails ? Finding{K::frameMovedInstead, {{"from_frame", from.frame}}, anew.faults.front().finding}
+            : Finding{K::frameMovedObject, {{"percent", 100 * agreed}, {"from_frame", from.frame}}};
+  moved.faults.push_back({FrameFault::movedObject, std::move(told)});
   return moved;
 }
 
@@ -313,6 +357,8 @@ FrameResult FrameCarrier::carry(const FrameResult& from, int frame) const {
     result.from = from.frame;
     result.faults.push_back({FrameFault::unreadable, causedBy(K::frameUnreadable, error)});
   }
+  if (!from.isTrusted())
+    result.faults.push_back({FrameFault::fromFailed, {K::frameFromFailed, {{"from_frame", from.frame}}}});
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
@@ -334,8 +380,7 @@ void FrameCarrier::judge(const FrameResult& from, const ActiveContour& contour, 
                                {"to_ml", result.volume / kMillilitre}}});
   if (result.components != from.components || result.genus != from.genus)
     tell(FrameFault::changed, topologyChange(from, result));
-  if (const auto held = contour.held(); !held.empty()) tell(FrameFault::held, holding(held));
-  if (result.stopped != StopReason::converged) tell(FrameFault::unfinished, unfinished(result.stopped));
+  for (ToldFault& f : faultsAtEnd(result.stopped, contour.held())) result.faults.push_back(std::move(f));
 }
 
 std::vector<FrameResult> carryThrough(const FrameCarrier& carrier, const FrameResult& start, int last,
@@ -347,7 +392,7 @@ std::vector<FrameResult> carryThrough(const FrameCarrier& carrier, const FrameRe
     frame += step;
     results.push_back(carrier.carry(from, frame));
     if (told) told(results.back());
-    if (results.back().isTrusted()) from = results.back();
+    if (results.back().startsNext()) from = results.back();
   }
   return results;
 }

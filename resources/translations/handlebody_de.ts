@@ -500,10 +500,6 @@
         <translation>die Oberfläche ruht, aber Teile, die nicht in Ordnung gebracht werden konnten, würden sich noch bewegen</translation>
     </message>
     <message>
-        <source>the surface was stopped before it was at rest</source>
-        <translation>die Oberfläche wurde angehalten, bevor sie ruhte</translation>
-    </message>
-    <message>
         <source>its voxels cannot be read</source>
         <translation>seine Voxel können nicht gelesen werden</translation>
     </message>
@@ -2146,6 +2142,14 @@
     <message>
         <source>what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame {from_frame} as the images move it; the latter was taken</source>
         <translation>was die Klicks dort meinen, stimmt zu {percent:0f} % (Dice) mit dem Objekt von Bild {from_frame} überein, wie die Bilder es bewegen; Letzteres wurde genommen</translation>
+    </message>
+    <message>
+        <source>what the clicks mean there fails ({cause}); the object of frame {from_frame} as the images move it was taken</source>
+        <translation>was die Klicks dort meinen, scheitert ({cause}); das Objekt von Bild {from_frame}, wie die Bilder es bewegen, wurde genommen</translation>
+    </message>
+    <message>
+        <source>it was carried from frame {from_frame}, whose surface failed</source>
+        <translation>die Oberfläche wurde von Bild {from_frame} übernommen, wo sie gescheitert ist</translation>
     </message>
 </context>
 <context>

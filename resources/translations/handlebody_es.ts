@@ -500,10 +500,6 @@
         <translation>la superficie está en reposo, pero partes que no se pudieron arreglar aún se moverían</translation>
     </message>
     <message>
-        <source>the surface was stopped before it was at rest</source>
-        <translation>la superficie se detuvo antes de quedar en reposo</translation>
-    </message>
-    <message>
         <source>its voxels cannot be read</source>
         <translation>no se pueden leer sus vóxeles</translation>
     </message>
@@ -2146,6 +2142,14 @@
     <message>
         <source>what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame {from_frame} as the images move it; the latter was taken</source>
         <translation>lo que indican los clics allí coincide en un {percent:0f} % (Dice) con el objeto del fotograma {from_frame} tal como lo mueven las imágenes; se tomó este último</translation>
+    </message>
+    <message>
+        <source>what the clicks mean there fails ({cause}); the object of frame {from_frame} as the images move it was taken</source>
+        <translation>lo que indican los clics allí falla ({cause}); se tomó el objeto del fotograma {from_frame} tal como lo mueven las imágenes</translation>
+    </message>
+    <message>
+        <source>it was carried from frame {from_frame}, whose surface failed</source>
+        <translation>la superficie viene del fotograma {from_frame}, donde falló</translation>
     </message>
 </context>
 <context>

@@ -500,10 +500,6 @@
         <translation>la surface est au repos, mais des parties qui n’ont pas pu être corrigées bougeraient encore</translation>
     </message>
     <message>
-        <source>the surface was stopped before it was at rest</source>
-        <translation>la surface a été arrêtée avant d’être au repos</translation>
-    </message>
-    <message>
         <source>its voxels cannot be read</source>
         <translation>ses voxels ne peuvent pas être lus</translation>
     </message>
@@ -2146,6 +2142,14 @@
     <message>
         <source>what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame {from_frame} as the images move it; the latter was taken</source>
         <translation>ce que désignent les clics y concorde à {percent:0f} % (Dice) avec l’objet de l’image {from_frame} tel que les images le déplacent ; c’est ce dernier qui a été pris</translation>
+    </message>
+    <message>
+        <source>what the clicks mean there fails ({cause}); the object of frame {from_frame} as the images move it was taken</source>
+        <translation>ce que désignent les clics y échoue ({cause}) ; l’objet de l’image {from_frame} tel que les images le déplacent a été pris</translation>
+    </message>
+    <message>
+        <source>it was carried from frame {from_frame}, whose surface failed</source>
+        <translation>la surface vient de l’image {from_frame}, où elle a échoué</translation>
     </message>
 </context>
 <context>

@@ -500,10 +500,6 @@
         <translation>表面已静止，但无法修正的部分仍会移动</translation>
     </message>
     <message>
-        <source>the surface was stopped before it was at rest</source>
-        <translation>表面在静止之前被停止</translation>
-    </message>
-    <message>
         <source>its voxels cannot be read</source>
         <translation>无法读取其体素</translation>
     </message>
@@ -2146,6 +2142,14 @@
     <message>
         <source>what the clicks mean there agrees to {percent:0f} % (Dice) with the object of frame {from_frame} as the images move it; the latter was taken</source>
         <translation>那里点击所指的目标与随图像移动的第 {from_frame} 帧目标吻合 {percent:0f} %（Dice）；已采用后者</translation>
+    </message>
+    <message>
+        <source>what the clicks mean there fails ({cause}); the object of frame {from_frame} as the images move it was taken</source>
+        <translation>那里点击所指的目标失败（{cause}）；已采用随图像移动的第 {from_frame} 帧目标</translation>
+    </message>
+    <message>
+        <source>it was carried from frame {from_frame}, whose surface failed</source>
+        <translation>该曲面自第 {from_frame} 帧传递而来，而那一帧的曲面已失败</translation>
     </message>
 </context>
 <context>

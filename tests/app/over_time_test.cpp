@@ -207,6 +207,71 @@ TEST_CASE("a frame that cannot be read is a warning and exit code 7, and the oth
   for (const char* file : {"a.json", "c.csv"}) CHECK_THAT(readBytes(folder / file), !Contains("f1.nii.gz"));
 }
 
+TEST_CASE("the frame that is grown is judged as the others are: what is not at rest is told", "[cli][time]") {
+  const TempFolder folder;
+  const Beating heart = makeBeating(folder);
+  const Outcome told = run({"segment", heart.path, "--seed", heart.seed, "--frames", "0-1",
+                            "--max-iterations", "6", "-o", folder / "m.stl", "--report", folder / "r.json"},
+                           5);
+  CHECK_THAT(told.err, Contains("warning: frame 0: the surface was not at rest"));
+  const auto results = nlohmann::json::parse(readBytes(folder / "r.json")).at("over_time").at("results");
+  CHECK(results.at(0).at("faults").at(0).at("kind") == "unfinished");
+}
+
+namespace {
+
+//! Frame 0 has a hole in the wall between two rooms, the others have none.
+Beating makeLeaking(const TempFolder& folder) {
+  const std::string frames = folder / "rooms";
+  std::filesystem::create_directory(frames);
+  Beating made{frames, {}, {}};
+  for (const std::string number : {"0", "1", "2"}) {
+    std::vector<std::string> arguments{"phantom", "wall", "--noise",
+                                       "0",       "-o",   frames + "/f" + number + ".nii"};
+    if (number == "0") arguments.insert(arguments.end(), {"--gap", "4"});
+    made.json = runForJson(arguments);
+  }
+  for (const auto& x : made.json.at("seed").at("centre"))
+    made.seed += (made.seed.empty() ? "" : ",") + x.dump();
+  return made;
+}
+
+nlohmann::json overTimeOf(const std::string& report) {
+  return nlohmann::json::parse(readBytes(report)).at("over_time");
+}
+
+}  // namespace
+
+TEST_CASE("a leak before which the surface was stopped is no fault of it, and replay says the same",
+          "[cli][time]") {
+  const TempFolder folder;
+  const Beating rooms = makeLeaking(folder);
+  run({"segment", rooms.path, "--seed", rooms.seed, "--range", "0,120", "--frames", "all", "--on-leak",
+       "stop", "-o", folder / "m.stl", "--report", folder / "r.json", "--session", folder / "s.json"},
+      7);
+  const nlohmann::json first = overTimeOf(folder / "r.json");
+  CHECK(first.at("results").at(0).at("trusted") == true);
+  runCli({"replay", folder / "s.json", "-o", folder / "again.stl", "--report", folder / "again.json"});
+  const nlohmann::json again = overTimeOf(folder / "again.json");
+  CHECK(again.at("curve") == first.at("curve"));
+  for (std::size_t f = 0; f < 3; ++f)
+    CHECK(again.at("results").at(f).at("faults") == first.at("results").at(f).at("faults"));
+}
+
+TEST_CASE("what is carried from a surface that leaked is not trusted, and there is no ejection fraction",
+          "[cli][time]") {
+  const TempFolder folder;
+  const Beating rooms = makeLeaking(folder);
+  const Outcome told = run({"segment", rooms.path, "--seed", rooms.seed, "--range", "0,120", "--frames",
+                            "all", "-o", folder / "m.stl", "--report", folder / "r.json"},
+                           7);
+  CHECK_THAT(told.err, Contains("frame 1: it was carried from frame 0, whose surface failed") &&
+                           !Contains("on its way back"));
+  const nlohmann::json over = overTimeOf(folder / "r.json");
+  for (const auto& r : over.at("results")) CHECK(r.at("trusted") == false);
+  CHECK(over.at("curve").is_null());
+}
+
 TEST_CASE("what does not go with --frames is refused before any work", "[cli][time]") {
   const TempFolder folder;
   const Beating heart = makeBeating(folder);

@@ -270,6 +270,26 @@ TEST_CASE("label maps of walls in corrected frames are named, found and left out
   CHECK(hidden.request.corrections[0].changes[0].constraints->walls.map->path.empty());
 }
 
+TEST_CASE("a session says of a corrected frame that its object has moved there, and names no file for it",
+          "[session]") {
+  const TempFolder folder;
+  Session s;
+  s.version = "1.2.3";
+  s.volume = {folder / "v.nii", "00ff", {}};
+  s.seeds = {{{1, 2, 3}, {}}};
+  s.overTime = OverTimeRequest{};
+  s.overTime->corrections = {{2, {s.seeds, s.requested, {}}, {}, {}, true},
+                             {3, {s.seeds, s.requested, {}}, {}, {}, false}};
+  writeSession(s, folder / "s.json");
+  CHECK(readSession(folder / "s.json").overTime == s.overTime);
+  std::string text = test::readBytes(folder / "s.json");
+  const std::string key = "\"moved_object\": true";
+  REQUIRE(text.find(key) != std::string::npos);
+  CHECK(text.find(key) == text.rfind(key));
+  test::writeBytes(folder / "bad.json", text.replace(text.find(key), key.size(), "\"moved_object\": 1"));
+  CHECK_THROWS_WITH(readSession(folder / "bad.json"), Catch::Matchers::Contains("moved_object"));
+}
+
 TEST_CASE("files that anonymous sessions do not name are asked for in turn, and known by their hashes",
           "[session]") {
   const TempFolder folder;

@@ -8,6 +8,7 @@
 #include "core/errors.h"
 #include "core/mesh/validity.h"
 #include "core/sequence/carried_seeds.h"
+#include "core/sequence/cycle_check.h"
 #include "core/sequence/drift.h"
 #include "tests/sequence/beating_support.h"
 #include "tests/support/catch.h"
@@ -167,6 +168,39 @@ TEST_CASE("a frame that cannot be read starts no other: the next starts from the
   CHECK(frames[2].isTrusted());
   CHECK(frames[3].from == 6);
   CHECK(frames[3].volume == Approx(ball(8.4)).epsilon(0.03));
+}
+
+TEST_CASE("what comes from a frame that failed is made, and not trusted") {
+  GrownFrame grown = growIn(balls({{kMiddle, 10}}), 3, {{{kMiddle}}, {}, {}});
+  grown.result.faults.push_back(leakFault({}));
+  const auto load = [](int frame) { return balls({{kMiddle, 10 - 0.4 * (frame - 3)}}); };
+  const auto frames = carryThrough(FrameCarrier(grown.settings, hooksOf(load)), grown.result, 5);
+  REQUIRE(frames.size() == 2);
+  for (const FrameResult& r : frames) {
+    CHECK_FALSE(r.isTrusted());
+    CHECK(r.startsNext());
+    CHECK(toldOf(r, FrameFault::fromFailed).number("from_frame") == r.frame - 1);
+  }
+  CHECK(frames[1].volume == Approx(ball(9.2)).epsilon(0.03));
+  std::vector<FrameResult> all{grown.result};
+  all.insert(all.end(), frames.begin(), frames.end());
+  for (const DriftCheck check : {DriftCheck::back, DriftCheck::wrap})
+    CHECK(checkCycle(FrameCarrier(grown.settings, hooksOf(load)), all, grown.result, check,
+                     grown.settings.edgeLength)
+              .empty());
+}
+
+TEST_CASE("how a growth ended is told, unless it was ended on purpose") {
+  CHECK(faultsAtEnd(StopReason::converged, {}).empty());
+  CHECK(faultsAtEnd(StopReason::running, {}).empty());
+  for (const StopReason stopped : {StopReason::maxIterations, StopReason::stuck, StopReason::frozen}) {
+    const std::vector<ToldFault> faults = faultsAtEnd(stopped, {});
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].fault == FrameFault::unfinished);
+  }
+  const std::vector<ToldFault> held = faultsAtEnd(StopReason::converged, {HeldPlace{}});
+  REQUIRE(held.size() == 1);
+  CHECK(held[0].fault == FrameFault::held);
 }
 
 TEST_CASE("walls stay where they are in every frame") {

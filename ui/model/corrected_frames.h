@@ -34,6 +34,12 @@ class CorrectedFrames {
   //! Of none is known what was done there. What is put away stays so.
   void forget() { known_.clear(); }
 
+  //! The same of those that start from another surface now: beyond a frame, seen from the grown one.
+  void forgetBeyond(int frame, int grown) {
+    std::erase_if(known_,
+                  [&](const CorrectedFrame& c) { return frame > grown ? c.frame > frame : c.frame < frame; });
+  }
+
   //! One is being corrected.
   bool isOpen() const { return home_ != nullptr; }
   //! Of the grown frame, while another one is corrected; else null.

@@ -72,6 +72,7 @@ void Document::Private::push(const QString& text, Edits after, int gesture) {
   undo.push(new EditCommand(text, active().edits(), std::move(after), gesture,
                             [this, object = objects.active()](const Edits& e, EditCommand::Way way) {
                               activate(object);
+                              if (object != objects.active()) return;  // a correction that is forgotten
                               if (objects.isGrown()) time.show(time.workFrame());
                               object->apply(e, way);
                             }));

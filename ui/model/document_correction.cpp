@@ -11,8 +11,9 @@ namespace handlebody::ui {
 
 namespace {
 
-//! Of a correction, as a session of its own.
-Session asSession(const FrameCorrection& c) {
+//! Of a correction, as a session of its own. `moved`: what its object is, if it is of that kind.
+Session asSession(FrameCorrection c, const std::optional<MovedObject>& moved) {
+  if (c.isOfMoved && moved) c = withObject(std::move(c), moved->given());
   Session session;
   session.seeds = c.request.seeds;
   session.requested = c.request.parameters;
@@ -22,8 +23,13 @@ Session asSession(const FrameCorrection& c) {
   return session;
 }
 
-FrameCorrection asCorrection(const Session& s, int frame) {
-  return {frame, {s.seeds, s.requested, s.constraints}, s.changes, s.stopAt};
+//! A surface that is given here is no file: it has moved from the frame beside it.
+FrameCorrection asCorrection(Session s, int frame) {
+  const bool isOfMoved = s.constraints.start.has_value();
+  s.constraints.start.reset();
+  for (ParameterChange& change : s.changes)
+    if (change.constraints) change.constraints->start.reset();
+  return {frame, {s.seeds, s.requested, s.constraints}, s.changes, s.stopAt, isOfMoved};
 }
 
 void put(std::vector<FrameCorrection>& corrections, FrameCorrection made) {
@@ -36,7 +42,7 @@ void put(std::vector<FrameCorrection>& corrections, FrameCorrection made) {
 int startOf(const TimeSeries& time, int frame) {
   const int step = frame > time.grownFrame() ? -1 : 1;
   for (frame += step; frame != time.grownFrame(); frame += step)
-    if (const FrameResult* r = time.resultOf(frame); r && r->isTrusted()) break;
+    if (const FrameResult* r = time.resultOf(frame); r && r->startsNext()) break;
   return frame;
 }
 
@@ -75,9 +81,11 @@ void Document::correctShownFrame() {
 std::shared_ptr<ObjectWork> Document::Private::newCorrection(int frame) {
   const OverTimeSettings settings = carrySettings();
   const int from = startOf(time, frame);
-  auto start = std::make_shared<CarriedStart>();
-  start->mesh =
+  const std::optional<MovedObject>& moved = time.carriedTo(frame)->result.moved;
+  const TriangleSoup& beside =
       from == time.grownFrame() ? time.carriedFrom()->get().mesh : time.carriedTo(from)->result.mesh;
+  auto start = std::make_shared<CarriedStart>();
+  start->mesh = moved ? moved->beginning(beside) : beside;
   start->holdTopology = settings.holdTopology;
   auto object = newObject();
   object->traits.label = base()->traits.label;
@@ -85,12 +93,13 @@ std::shared_ptr<ObjectWork> Document::Private::newCorrection(int frame) {
   const auto before =
       std::find_if(recorded.begin(), recorded.end(), [&](const auto& c) { return c.frame == frame; });
   if (before != recorded.end()) {
-    Session session = asSession(*before);
+    Session session = asSession(*before, moved);
     session.label = base()->traits.label;
     object->adopt(session);
   } else {
-    const Request r = carriedRequest(settings, frame);
-    object->start({carriedSeeds(r.seeds, start->mesh, settings.edgeLength), r.parameters, r.constraints});
+    const Request r = carriedRequest(settings, frame, moved);
+    const TriangleSoup& seeded = moved ? *moved->surface : beside;
+    object->start({carriedSeeds(r.seeds, seeded, settings.edgeLength), r.parameters, r.constraints});
   }
   object->startFrom(std::move(start));
   return object;
@@ -131,6 +140,7 @@ std::vector<FrameCorrection> Document::Private::corrections() const {
 void Document::endCorrection(bool keeps) {
   if (!d_->corrected.isOpen()) return;
   const int frame = d_->time.workFrame();
+  const bool isCurrent = isCarriedCurrent();  // else what is nearer than this frame is carried again, too
   if (keeps && (d_->active().isBusy() || !d_->active().finished())) {
     Q_EMIT refused(tr("The correction has no surface at rest yet: let it grow, or pause it."));
     return;
@@ -140,12 +150,13 @@ void Document::endCorrection(bool keeps) {
   d_->leaveCorrection();
   if (!keeps) return;
   d_->time.setRequest(request, true);
+  d_->corrected.forgetBeyond(frame, d_->time.grownFrame());
   d_->undo.resetClean();
   // The surface that it is carried from may have been undone meanwhile. The correction is kept all the same.
   if (const QString fault = carryFault(); !fault.isEmpty())
     Q_EMIT refused(fault);
   else
-    d_->carryAgain(frame);
+    d_->carryAgain(isCurrent ? std::optional(frame) : std::nullopt);
   d_->journalNow();
 }
 

@@ -130,7 +130,7 @@ std::vector<std::string> Document::anonymousNames() const {
 std::shared_ptr<const FinishedMesh> Document::finishedMesh(int index) const {
   if (d_->corrected.isOpen() && d_->time.showsGrownFrame()) return d_->corrected.home()->finished();
   if (d_->time.showsWorkFrame()) return d_->objects.at(index).finished();
-  const CarriedFrame* carried = objectCount() == 1 ? d_->time.carriedTo(d_->time.shownFrame()) : nullptr;
+  const CarriedFrame* carried = isCarriedCurrent() ? d_->carriedHere() : nullptr;
   return carried ? carried->finished : nullptr;
 }
 
@@ -155,6 +155,7 @@ void Document::Private::pushList(const QString& text, ObjectList after, int gest
 }
 
 void Document::Private::applyList(const ObjectList& after) {
+  leaveCorrection();  // an older step that is undone
   const auto before = objects.all();
   const auto stays = [&](const std::shared_ptr<ObjectWork>& object) {
     return std::any_of(after.entries.begin(), after.entries.end(),

@@ -143,6 +143,10 @@ void Document::exportResult(const QString& path, CoordinateSpace space, const Di
   const auto shown = snapshot();
   if (!shown)
     Q_EMIT exportRefused(tr("There is no surface to export yet: grow one first."));
+  else if (!finishedMesh(activeObject()) &&
+           !d_->time.showsWorkFrame())  // of another surface than there is now
+    Q_EMIT exportRefused(
+        tr("There are no surfaces over time of what is shown: carry it through the frames first."));
   else if (shown->mesh.triangles.empty())
     Q_EMIT exportRefused(
         tr("Nothing is left of the surface at this iteration: step back to one that has some."));
@@ -310,7 +314,8 @@ void Document::Private::exportAs(const QString& told, CoordinateSpace coordinate
                                  WriteObjects writeThem) {
   output.space = coordinates;
   write(told, [this, betters = output.polishes, toWrite = writtenObjects(which, content.anonymous),
-               context = ExportContext{work->volume.grid, coordinates, work->info.dicom, content},
+               context = ExportContext{work->volume.grid, coordinates, time.store().origin(time.shownFrame()),
+                                       content},
                writeThem = std::move(writeThem)] {
     const auto meshes = writtenMeshes(toWrite, context.grid, betters, polishing());
     requireApart(toWrite, meshes);

@@ -93,6 +93,8 @@ class Document::Private : public ObjectHost {
   void setGrownFrame(int frame);
   void shownFrameChanged();
   std::shared_ptr<const MeshSnapshot> shownOf(const ObjectWork& object) const;
+  //! What was carried to the shown frame, of the object that there is; null: nothing.
+  const CarriedFrame* carriedHere() const;
   void carryAgain(const std::optional<int>& again = {});
   OverTimeSettings carrySettings() const;
   void enter(const CorrectedFrame& frame);
@@ -166,8 +168,9 @@ class Document::Private : public ObjectHost {
   // Over time.
   TimeSeries time;
   CorrectedFrames corrected;
-  int growsIn = -1;           // frame in which to grow when it is shown; -1: none
-  bool carriesLater = false;  // when what a session says has been grown
+  std::weak_ptr<const ObjectWork> carriedObject;  // whose surface `time` has carried
+  int growsIn = -1;                               // frame in which to grow when it is shown; -1: none
+  bool carriesLater = false;                      // when what a session says has been grown
 
   GrowthChoices growthChoices;
   OutputChoices output;

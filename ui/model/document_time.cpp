@@ -44,10 +44,16 @@ class OverTimeCommand : public QUndoCommand {
     after_ = next->after_;
     return true;
   }
-  void undo() override { time_.setRequest(before_, wasAsked_); }
-  void redo() override { time_.setRequest(after_, true); }
+  void undo() override { put(before_, wasAsked_); }
+  void redo() override { put(after_, true); }
 
  private:
+  //! Corrected frames stay as they are: they are no part of what is undone.
+  void put(OverTimeRequest request, bool isAsked) {
+    request.corrections = time_.request().corrections;
+    time_.setRequest(request, isAsked);
+  }
+
   TimeSeries& time_;
   OverTimeRequest before_, after_;
   bool wasAsked_;
@@ -86,6 +92,7 @@ void Document::Private::growInShown() {
 }
 
 void Document::Private::setGrownFrame(int frame) {
+  leaveCorrection();  // an older step that is undone
   growsIn = frame;
   if (time.shownFrame() == frame)
     shownFrameChanged();
@@ -107,8 +114,13 @@ void Document::Private::shownFrameChanged() {
 std::shared_ptr<const MeshSnapshot> Document::Private::shownOf(const ObjectWork& object) const {
   if (corrected.isOpen() && time.showsGrownFrame()) return corrected.home()->growth().snapshot();
   if (time.showsWorkFrame()) return object.growth().snapshot();
-  const CarriedFrame* carried = objects.size() == 1 ? time.carriedTo(time.shownFrame()) : nullptr;
+  const CarriedFrame* carried = carriedHere();
   return carried ? carried->snapshot : nullptr;
+}
+
+const CarriedFrame* Document::Private::carriedHere() const {
+  const bool isOfThis = objects.size() == 1 && carriedObject.lock() == base();
+  return isOfThis ? time.carriedTo(time.shownFrame()) : nullptr;
 }
 
 void Document::growInShownFrame() {
@@ -140,7 +152,7 @@ QString Document::carryFault() const {
 bool Document::isCarriedCurrent() const {
   const auto& from = d_->time.carriedFrom();
   const auto now = d_->base()->growth().snapshot();
-  return from && now && objectCount() == 1 && from->isOf(*now);
+  return from && now && objectCount() == 1 && from->isOf(*now) && d_->time.isAsRequested();
 }
 
 void Document::carryOverTime() {
@@ -162,6 +174,7 @@ OverTimeSettings Document::Private::carrySettings() const {
 
 void Document::Private::carryAgain(const std::optional<int>& again) {
   const SurfaceGrowth& growth = base()->growth();
+  carriedObject = base();
   CarryOrder order;
   order.again = again;
   order.surface = base()->finished();
@@ -173,6 +186,8 @@ void Document::Private::carryAgain(const std::optional<int>& again) {
     if (found.leak.iteration <= growth.iteration()) order.start.faults.push_back(leakFault(found.leak));
   order.settings = carrySettings();
   const MeshSnapshot& shown = *order.surface->shown();
+  for (ToldFault& f : faultsAtEnd(growth.stopReason(), shown.held))
+    order.start.faults.push_back(std::move(f));
   order.start.under = {work->volume.grid, order.settings.request.constraints.walls, shown.edgeLength,
                        shown.pinned};
   time.carry(std::move(order));

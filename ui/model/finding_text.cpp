@@ -94,7 +94,6 @@ constexpr Words kWords[] = {
     {K::frameStuck, QT_TRANSLATE_NOOP("Findings", "the surface got stuck before it was at rest")},
     {K::frameFrozen,
      QT_TRANSLATE_NOOP("Findings", "the surface rests, but parts that could not be mended would still move")},
-    {K::frameUnfinished, QT_TRANSLATE_NOOP("Findings", "the surface was stopped before it was at rest")},
     {K::sessionWithoutVolume,
      QT_TRANSLATE_NOOP("Findings", "This session does not say where its volume is. Choose it.")},
     {K::sessionWithoutWalls,

@@ -32,13 +32,20 @@ void FrameStore::stop() {
 }
 
 void FrameStore::start(const std::string& path, const VolumeSelection& selection, int frames, int frame,
-                       const Volume& volume) {
+                       const Volume& volume, std::shared_ptr<const DicomOrigin> origin) {
   stop();
   const std::lock_guard lock(mutex_);
   source_ = {path, selection, source_.number + 1};
   frames_ = frames;
   kept_.clear();
   kept_.push_front({frame, volume});
+  origins_ = {{frame, std::move(origin)}};
+}
+
+std::shared_ptr<const DicomOrigin> FrameStore::origin(int frame) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = origins_.find(frame);
+  return found == origins_.end() ? nullptr : found->second;
 }
 
 std::optional<Volume> FrameStore::kept(int frame) { return find(frame); }
@@ -86,9 +93,9 @@ void FrameStore::decodeAhead(int frame, const std::atomic<bool>& cancelled) {
 Volume FrameStore::load(int frame) {
   if (auto volume = find(frame)) return *volume;
   const Source from = source();
-  Volume volume = decode(from, frame);
-  if (hasRoom()) keep(from, frame, volume);
-  return volume;
+  LoadedVolume loaded = decode(from, frame);
+  if (hasRoom()) keep(from, frame, loaded);
+  return loaded.volume;
 }
 
 FrameStore::Source FrameStore::source() const {
@@ -96,19 +103,20 @@ FrameStore::Source FrameStore::source() const {
   return source_;
 }
 
-Volume FrameStore::decode(Source source, int frame) {
+LoadedVolume FrameStore::decode(Source source, int frame) {
   source.selection.frame = frame;
   const std::lock_guard lock(readingVolumes());
   giveUpIfCancelled();
-  return loadVolume(source.path, source.selection).volume;
+  return loadVolume(source.path, source.selection);
 }
 
-void FrameStore::keep(const Source& source, int frame, const Volume& volume) {
+void FrameStore::keep(const Source& source, int frame, const LoadedVolume& loaded) {
   const std::lock_guard lock(mutex_);
   if (source.number != source_.number) return;
   for (const Kept& k : kept_)
     if (k.frame == frame) return;
-  kept_.push_front({frame, volume});
+  kept_.push_front({frame, loaded.volume});
+  origins_[frame] = loaded.info.dicom;
   double sum = 0;
   std::size_t fits = 0;
   for (const Kept& k : kept_) {

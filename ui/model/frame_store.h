@@ -5,6 +5,7 @@
 #include <atomic>
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -22,9 +23,9 @@ class FrameStore {
   explicit FrameStore(std::function<void(int frame, const QString& error)> arrived);
   ~FrameStore() { stop(); }
 
-  //! Another volume; what was kept is let go. `volume` is its time point `frame`.
+  //! Another volume; what was kept is let go. `volume` is its time point `frame`, `origin` that one's.
   void start(const std::string& path, const VolumeSelection& selection, int frames, int frame,
-             const Volume& volume);
+             const Volume& volume, std::shared_ptr<const DicomOrigin> origin = nullptr);
   //! None: it is not kept.
   std::optional<Volume> kept(int frame);
   //! Decodes it next, and then those after it while there is room, round to the first; what was wanted before
@@ -33,6 +34,9 @@ class FrameStore {
   //! As it is kept or by decoding it now, on the thread that calls. Any thread. Throws InputError, Cancelled
   //! (cancellation.h).
   Volume load(int frame);
+
+  //! The DICOM images of a time point that has been decoded since start(); null: there are none.
+  std::shared_ptr<const DicomOrigin> origin(int frame) const;
 
   //! Decodes no frames ahead until one is wanted again.
   void rest() { *cancelled_ = true; }
@@ -55,16 +59,17 @@ class FrameStore {
     int number = 0;  //!< of the volumes that were open
   };
   Source source() const;
-  static Volume decode(Source source, int frame);
+  static LoadedVolume decode(Source source, int frame);
   void decodeAhead(int frame, const std::atomic<bool>& cancelled);
   //! Not if another volume is open by now.
-  void keep(const Source& source, int frame, const Volume& volume);
+  void keep(const Source& source, int frame, const LoadedVolume& loaded);
   std::optional<Volume> find(int frame);
   bool hasRoom() const;
 
   const std::function<void(int, const QString&)> arrived_;
   mutable std::mutex mutex_;
-  std::list<Kept> kept_;  // the one used last first
+  std::list<Kept> kept_;                                       // the one used last first
+  std::map<int, std::shared_ptr<const DicomOrigin>> origins_;  // small: all stay
   Source source_;
   int frames_ = 0;
   double bound_;

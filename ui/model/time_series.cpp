@@ -26,7 +26,7 @@ int stepOf(const TimeAxis& times) {
 //! From `frame` towards `start`, whose own is there.
 int nearestTrusted(const std::map<int, FrameResult>& results, int frame, int start) {
   for (; frame != start; frame += frame < start ? 1 : -1)
-    if (const auto found = results.find(frame); found != results.end() && found->second.isTrusted()) break;
+    if (const auto found = results.find(frame); found != results.end() && found->second.startsNext()) break;
   return frame;
 }
 
@@ -84,7 +84,7 @@ void TimeSeries::start(const OpenedWork& work) {
   request_ = {};
   isAsked_ = false;
   forgetCarried();
-  store_.start(work.reference.path, work.reference.selection, frames_, shown_, volume_);
+  store_.start(work.reference.path, work.reference.selection, frames_, shown_, volume_, work.info.dicom);
   Q_EMIT playingChanged();
   Q_EMIT requestChanged();
   Q_EMIT wantedChanged();
@@ -210,6 +210,8 @@ void TimeSeries::carry(CarryOrder order) {
   carryError_.clear();
   from_ = order.surface;
   start_ = order.start;
+  carriedWith_ = request_;
+  carriedWith_.frames = range();
   auto job = std::make_shared<Job>();
   const OverTimeRequest::Range all = range();
   int first = all.first, last = all.last;
@@ -307,6 +309,14 @@ void TimeSeries::ended(const std::shared_ptr<Job>& job, const QString& error, st
   Q_EMIT carryingChanged();
 }
 
+bool TimeSeries::isAsRequested() const {
+  OverTimeRequest now = request_;
+  now.frames = range();
+  now.drift = carriedWith_.drift;          // is no matter of the surfaces,
+  now.frameTime = carriedWith_.frameTime;  // nor is this
+  return now == carriedWith_;
+}
+
 const FrameResult* TimeSeries::resultOf(int frame) const {
   if (frame == grown_) return from_ ? &start_ : nullptr;
   const CarriedFrame* carried = carriedTo(frame);
@@ -341,8 +351,8 @@ VolumeCurve TimeSeries::curve() const {
 OverTimeReport TimeSeries::report() const {
   OverTimeReport report;
   if (!from_) return report;
-  report.request = request_;
-  report.request.frames = range();
+  report.request = carriedWith_;
+  report.request.frameTime = request_.frameTime;
   report.times = times_;
   std::map<int, FrameResult> results = known();
   results[grown_] = start_;

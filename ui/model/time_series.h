@@ -101,6 +101,8 @@ class TimeSeries : public QObject {
   const std::vector<Drift>& drifts() const { return drifts_; }
   //! What is told of a frame: the grown one's or a carried one's; null: it is not there.
   const FrameResult* resultOf(int frame) const;
+  //! False if what was carried was asked for otherwise: another range, topology, or correction.
+  bool isAsRequested() const;
   //! True if every frame of the range is there.
   bool isComplete() const;
 
@@ -129,7 +131,7 @@ class TimeSeries : public QObject {
   QString error_;
   QTimer timer_;
 
-  OverTimeRequest request_;
+  OverTimeRequest request_, carriedWith_;  // the latter with its range
   bool isAsked_ = false;
   FrameResult start_;  // with its mesh, once it is carried
   std::shared_ptr<const FinishedMesh> from_;

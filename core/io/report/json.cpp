@@ -403,7 +403,7 @@ ObjectLabel labelFromJson(const JsonField& json) {
 }  // namespace
 
 void readRequest(const JsonField& json, Session& session) {
-  requireParameters(json, {"space", "changes", "stop_at", "label", "polish", "frame"});
+  requireParameters(json, {"space", "changes", "stop_at", "label", "polish", "frame", "moved_object"});
   session.requested = parametersFromJson(json);
   if (json.has("space")) session.space = json.at("space").word(spaceFromName);
   if (json.has("constraints")) session.constraints = constraintsFromJson(json.at("constraints"));

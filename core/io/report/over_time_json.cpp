@@ -69,6 +69,7 @@ Json correctionToJson(const FrameCorrection& c) {
   Json json = requestToJson(session);
   json.erase("space");
   json["frame"] = c.frame;
+  if (c.isOfMoved) json["moved_object"] = true;
   return json;
 }
 
@@ -80,6 +81,7 @@ FrameCorrection correctionFromJson(const JsonField& json) {
   c.request = {session.seeds, session.requested, session.constraints};
   c.changes = session.changes;
   c.stopAt = session.stopAt;
+  c.isOfMoved = json.has("moved_object") && json.at("moved_object").flag();
   if (finalRequest(c).constraints.start || c.request.constraints.start)
     throw Told<UsageError>(FindingKind::correctedFrameWithStart);
   return c;
