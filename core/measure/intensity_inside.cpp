@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/solid/rasterize.h"
+#include "core/volume/not_a_number.h"
 
 namespace handlebody {
 
@@ -57,9 +59,14 @@ void forInside(const T* voxels, const Grid& whole, const Part& part, const std::
 template <typename T>
 void gather(const T* voxels, const Grid& grid, const Part& part, const std::uint8_t* label,
             IntensityInside& i) {
+  // Volumes from files hold no NaN: readers put a number in its place.
+  const std::optional<T> none = notANumberIn(voxels, grid.voxelCount());
+  const auto isValue = [&](double v) {
+    return std::isfinite(v) && !(none && v == static_cast<double>(*none));
+  };
   double sum = 0, squares = 0;
   forInside(voxels, grid, part, label, [&](double v) {
-    if (!std::isfinite(v)) {
+    if (!isValue(v)) {
       ++i.withoutValue;
       return;
     }
@@ -71,7 +78,7 @@ void gather(const T* voxels, const Grid& grid, const Part& part, const std::uint
   if (i.voxels == 0) return;
   i.mean = sum / static_cast<double>(i.voxels);
   forInside(voxels, grid, part, label, [&](double v) {
-    if (std::isfinite(v)) squares += (v - i.mean) * (v - i.mean);
+    if (isValue(v)) squares += (v - i.mean) * (v - i.mean);
   });
   if (i.voxels > 1) i.deviation = std::sqrt(squares / static_cast<double>(i.voxels - 1));
 }

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <type_traits>
 #include <unordered_map>
 
 #include "core/indices.h"
@@ -85,25 +83,6 @@ std::vector<bool> findPadding(const T* voxels, const Grid& grid, double& padding
       });
   if (!any) return {};
   return padding;
-}
-
-//! The value that stands for voxels that are not a number, if there are any.
-template <typename T>
-std::optional<T> notANumberIn(const T* voxels, std::size_t count) {
-  if constexpr (std::is_floating_point_v<T>) {
-    T least = std::numeric_limits<T>::infinity(), next = least;
-    for (std::size_t i = 0; i < count; ++i) {
-      const T v = voxels[i];
-      if (v < least) {
-        next = least;
-        least = v;
-      } else if (v > least && v < next) {
-        next = v;
-      }
-    }
-    if (std::isfinite(next) && least == notANumberBelow(next)) return least;
-  }
-  return std::nullopt;
 }
 
 //! Voxels that are not a number are padding wherever they lie.

@@ -4,8 +4,10 @@
 
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace handlebody {
@@ -28,6 +30,26 @@ T notANumberBelow(T least) {
   }
   if (marked < size) marked += kLast + 1;
   return std::bit_cast<T>(kSign | marked);
+}
+
+//! The number that stands for voxels that are not a number, if there are any; none of whole numbers. Looks at
+//! all of them.
+template <typename T>
+std::optional<T> notANumberIn(const T* voxels, std::size_t count) {
+  if constexpr (std::is_floating_point_v<T>) {
+    T least = std::numeric_limits<T>::infinity(), next = least;
+    for (std::size_t i = 0; i < count; ++i) {
+      const T v = voxels[i];
+      if (v < least) {
+        next = least;
+        least = v;
+      } else if (v > least && v < next) {
+        next = v;
+      }
+    }
+    if (std::isfinite(next) && least == notANumberBelow(next)) return least;
+  }
+  return std::nullopt;
 }
 
 }  // namespace handlebody

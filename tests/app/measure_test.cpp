@@ -1,6 +1,7 @@
 // measure, through the program.
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -74,6 +75,25 @@ std::vector<std::map<std::string, std::string>> table(const std::string& path) {
   return rows;
 }
 
+//! 100 everywhere, but for a corner of -1000, and NaN up to 3 mm around the middle voxel; returns how many
+//! are NaN. 32³ voxels of 1 mm.
+int writeWithoutMiddle(const std::string& path) {
+  std::vector<float> voxels(32 * 32 * 32, 100.0F);
+  voxels[0] = -1000;
+  int none = 0;
+  for (int i = 0; i < 32 * 32 * 32; ++i) {
+    if ((Vec3(i % 32, i / 32 % 32, i / 1024) - Vec3(16, 16, 16)).norm() > 3) continue;
+    voxels[static_cast<std::size_t>(i)] = std::numeric_limits<float>::quiet_NaN();
+    ++none;
+  }
+  writeBytes(path,
+             "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+             "DimSize = 32 32 32\nElementSpacing = 1 1 1\nElementType = MET_FLOAT\n"
+             "ElementDataFile = LOCAL\n" +
+                 std::string(reinterpret_cast<const char*>(voxels.data()), voxels.size() * sizeof(float)));
+  return none;
+}
+
 nlohmann::json measured(const TempFolder& folder, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "measure");
   arguments.insert(arguments.end(), {"--json", folder / "m.json"});
@@ -101,6 +121,20 @@ TEST_CASE("a mesh is measured with the intensities of a volume", "[cli][measure]
   CHECK(in.at("mean") <= in.at("maximum"));
   CHECK(json.at("warnings").empty());
   CHECK(measured(folder, {surface}).at("objects").at(0).at("measures").at("intensity").is_null());
+}
+
+TEST_CASE("voxels that are NaN in their file do not count in the intensities, and a warning says how many",
+          "[cli][measure]") {
+  const TempFolder folder;
+  const int none = writeWithoutMiddle(folder / "v.mha");
+  const std::string ball = writeBall(folder, "ball.ply", Vec3(16, 16, 16), 8);
+  const auto json = measured(folder, {ball, "--volume", folder / "v.mha"});
+  const auto& in = json.at("objects").at(0).at("measures").at("intensity");
+  CHECK(in.at("voxels") > 1000);
+  for (const char* figure : {"mean", "minimum", "maximum"}) CHECK(in.at(figure) == 100);
+  CHECK(in.at("standard_deviation") == 0);
+  CHECK_THAT(json.at("warnings").dump(),
+             Contains(std::to_string(none) + " voxels inside have no finite value and do not count."));
 }
 
 TEST_CASE("distances and walls are in text and JSON and a table", "[cli][measure]") {

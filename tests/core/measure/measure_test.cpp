@@ -11,6 +11,7 @@
 #include "core/measure/surface_gap.h"
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/quality.h"
+#include "core/volume/not_a_number.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"
 
@@ -157,6 +158,22 @@ TEST_CASE("intensities of a mesh that leaves the volume, has no voxel or has non
   CHECK(none.voxels == 0);
   CHECK_FALSE(none.isWhole);
   CHECK(intensityInside(ball(0.05, Vec3(0.2, 0.2, 0.2)), volume).voxels == 0);
+}
+
+TEST_CASE("the number that readers put in the place of NaN is no intensity, wherever the least one lies",
+          "[measure]") {
+  const float none = notANumberBelow(-1000.0F);
+  const auto value = [none](const Vec3& p) {
+    return p.norm() > 17 ? -1000 : p.x() < 0 ? none : 7.0F;  // the least lies outside of the ball
+  };
+  const IntensityInside found = intensityInside(ball(6, Vec3(0, 0, 0)), volumeOf(value));
+  CHECK(found.minimum == 7);
+  CHECK(found.mean == 7);
+  CHECK(found.deviation == 0);
+  CHECK(found.withoutValue > 1000);
+  // Without a voxel just above it, it is a value like any other.
+  const auto low = [none](const Vec3& p) { return p.x() < 0 ? none : 7.0F; };
+  CHECK(intensityInside(ball(6, Vec3(0, 0, 0)), volumeOf(low)).withoutValue == 0);
 }
 
 TEST_CASE("two bodies are as far from each other as their nearest points", "[measure]") {
