@@ -129,7 +129,8 @@ void chooseFrame(Session& session) {
                      std::to_string(range->first) + "-" + std::to_string(range->last) + ".");
 }
 
-void checkOverTime(const Session& session, const RunOutputs& outputs, const OverTimeOptions& options) {
+void checkOverTime(const Session& session, const RunOutputs& outputs, const OverTimeOptions& options,
+                   const std::vector<std::string>& inputs) {
   const VolumeInfo info = inspectVolume(session.volume.path, session.volume.selection);
   const OverTimeRequest::Range range =
       session.overTime->frames.value_or(OverTimeRequest::Range{0, info.frames - 1});
@@ -138,7 +139,7 @@ void checkOverTime(const Session& session, const RunOutputs& outputs, const Over
   if (range.last >= info.frames)
     throw UsageError(session.volume.path + ": there is no frame " + std::to_string(range.last) +
                      "; it has the frames 0 to " + std::to_string(info.frames - 1) + ".");
-  checkFrameFiles(outputs, options.curves, range, inputsOf(session));
+  checkFrameFiles(outputs, options.curves, range, inputs);
 }
 
 namespace {

@@ -31,8 +31,9 @@ void addCurve(CLI::App& command, OverTimeOptions& options);
 std::optional<OverTimeRequest> requestOf(const OverTimeOptions& options);
 
 //! Before any work, in place of checkOutputs. The range may still be open: then the frames are those of the
-//! volume, whose header is read. Throws UsageError, InputError.
-void checkOverTime(const Session& session, const RunOutputs& outputs, const OverTimeOptions& options);
+//! volume, whose header is read. No output may be one of `inputs`. Throws UsageError, InputError.
+void checkOverTime(const Session& session, const RunOutputs& outputs, const OverTimeOptions& options,
+                   const std::vector<std::string>& inputs);
 
 //! The session's volume becomes that of the frame that is grown: the first of the range if none is chosen.
 //! Throws UsageError if it is not in the range.

@@ -74,7 +74,7 @@ int replay(ReplayOptions o) {
   if (sessions[0].overTime) {
     chooseFrame(sessions[0]);
     findSeries(sessions[0].volume);
-    checkOverTime(sessions[0], o.outputs, o.overTime);
+    checkOverTime(sessions[0], o.outputs, o.overTime, inputs);
   } else {
     if (!o.overTime.curves.empty()) throw UsageError("--curve needs a session that was made with --frames.");
     checkOutputs(o.outputs, inputs);

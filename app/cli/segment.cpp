@@ -102,7 +102,7 @@ int segment(SegmentOptions o) {
     if (session.constraints.start)
       throw UsageError("--frames carries what has grown from seeds, not a surface of --start or --given.");
     chooseFrame(session);
-    checkOverTime(session, o.outputs, o.overTime);
+    checkOverTime(session, o.outputs, o.overTime, inputsOf(session));
   } else {
     checkOutputs(o.outputs, inputsOf(session));
   }

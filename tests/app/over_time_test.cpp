@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/io/report/session.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
@@ -10,6 +11,9 @@
 using namespace handlebody::test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using handlebody::OverTimeRequest;
+using handlebody::Session;
+using handlebody::Vec3;
 
 namespace {
 
@@ -167,6 +171,21 @@ TEST_CASE("the frame that is grown has the mesh of a run on it alone, and replay
             readBytes(folder / ("again" + std::string(number) + ".stl")));
   }
   CHECK_THAT(readBytes(folder / "again.csv"), Contains("\n3,"));
+}
+
+TEST_CASE("replay over time does not write over the session that it reads", "[cli][time]") {
+  const TempFolder folder;
+  const Beating heart = makeBeating(folder);
+  Session session;
+  session.volume = {heart.path, {}, {}};
+  session.seeds = {{Vec3(1, 2, 3), {}}};
+  session.overTime = OverTimeRequest{};
+  const std::string path = folder / "s.json";
+  writeSession(session, path);
+  const std::string before = readBytes(path);
+  for (const char* option : {"--trace", "--report", "--session"})
+    requireRefusal(folder, {"replay", path, "-o", folder / "m.stl", option, path}, 2, option);
+  CHECK(readBytes(path) == before);
 }
 
 TEST_CASE("a frame that cannot be read is a warning and exit code 7, and the others are written",
