@@ -18,6 +18,7 @@
 #include "core/io/report/growth_report.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/result.h"
+#include "core/io/report/session_files.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/voxel_fingerprint.h"
 #include "core/io/report/wall_map.h"
@@ -72,11 +73,9 @@ void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space) {
 
 std::vector<std::string> inputsOf(const Session& session) {
   std::vector<std::string> inputs{session.volume.path};
-  if (session.constraints.walls.map) inputs.push_back(session.constraints.walls.map->path);
-  for (const ParameterChange& change : session.changes)
-    if (change.constraints && change.constraints->walls.map)
-      inputs.push_back(change.constraints->walls.map->path);
-  if (session.constraints.start) inputs.push_back(session.constraints.start->path);
+  const auto add = [&inputs](const auto& file) { inputs.push_back(file.path); };
+  forEachWallMap(session, add);
+  forEachStart(session, add);
   return inputs;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/io/report/session.h"
+#include "core/version.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
@@ -11,9 +12,11 @@
 using namespace handlebody::test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using handlebody::Constraints;
 using handlebody::OverTimeRequest;
 using handlebody::Session;
 using handlebody::Vec3;
+using handlebody::WallMap;
 
 namespace {
 
@@ -64,6 +67,16 @@ Gyroids makeGyroids(const TempFolder& folder) {
     made.seed += json.at("seed").at("radius").dump();
   }
   return made;
+}
+
+//! Of all frames, with a seed that no test grows.
+Session sessionOverTime(const std::string& volume) {
+  Session session;
+  session.version = HANDLEBODY_VERSION;
+  session.volume = {volume, {}, {}};
+  session.seeds = {{Vec3(1, 2, 3), {}}};
+  session.overTime = OverTimeRequest{};
+  return session;
 }
 
 double leastOf(const std::string& mesh, const std::string& angles) {
@@ -175,17 +188,33 @@ TEST_CASE("the frame that is grown has the mesh of a run on it alone, and replay
 
 TEST_CASE("replay over time does not write over the session that it reads", "[cli][time]") {
   const TempFolder folder;
-  const Beating heart = makeBeating(folder);
-  Session session;
-  session.volume = {heart.path, {}, {}};
-  session.seeds = {{Vec3(1, 2, 3), {}}};
-  session.overTime = OverTimeRequest{};
+  const Session session = sessionOverTime(makeBeating(folder).path);
   const std::string path = folder / "s.json";
   writeSession(session, path);
   const std::string before = readBytes(path);
   for (const char* option : {"--trace", "--report", "--session"})
     requireRefusal(folder, {"replay", path, "-o", folder / "m.stl", option, path}, 2, option);
   CHECK(readBytes(path) == before);
+}
+
+TEST_CASE("nothing is written over the label maps of walls in corrected frames", "[cli][time]") {
+  const TempFolder folder;
+  Session session = sessionOverTime(makeBeating(folder).path);
+  const auto walled = [&](const std::string& name) {
+    writeBytes(folder / name, "walls");
+    return Constraints{.walls = {.map = WallMap{folder / name, {}, nullptr}}};
+  };
+  session.overTime->corrections = {
+      {2, {session.seeds, session.requested, walled("first.mha")}, {}, {}},
+      {3, {session.seeds, session.requested, {}}, {{4, session.requested, {}, walled("later.mha")}}, {}}};
+  const std::string path = folder / "s.json";
+  writeSession(session, path);
+  for (const char* name : {"first.mha", "later.mha"}) {
+    const std::string map = folder / name;
+    requireRefusal(folder, {"replay", path, "-o", folder / "m.stl", "--report", map}, 2, map);
+    requireRefusal(folder, {"measure", path, "--csv", map}, 2, map);
+    CHECK(readBytes(map) == "walls");
+  }
 }
 
 TEST_CASE("a frame that cannot be read is a warning and exit code 7, and the others are written",
