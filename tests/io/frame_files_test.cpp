@@ -74,6 +74,23 @@ TEST_CASE("meshes of frames of which one cannot be written leave those of before
   CHECK(folder.fileCount() == 4);
 }
 
+TEST_CASE("a frame that has no surface any more keeps no mesh of an earlier run") {
+  const TemporaryFolder folder;
+  OverTimeReport over = ballsOverTime();
+  for (const char* name : {"m_0002.stl", "m_0004.stl", "n_0002.stl", "m_0002.ply"})
+    writeTextAtomically(folder / name, "earlier");
+  const auto mesh = over.frames[3].mesh;
+  over.frames[3].mesh.points[0].x() = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(writeFrameMeshes(over, CoordinateSpace::lps, folder / "m.stl"), OutputError);
+  CHECK(readBytes(folder / "m_0002.stl") == "earlier");
+  over.frames[3].mesh = mesh;
+  writeFrameMeshes(over, CoordinateSpace::lps, folder / "m.stl");
+  CHECK_FALSE(fs::exists(folder / "m_0002.stl"));
+  for (const char* other : {"m_0004.stl", "n_0002.stl", "m_0002.ply"})  // not of these frames and files
+    CHECK(readBytes(folder / other) == "earlier");
+  CHECK(folder.fileCount() == 6);
+}
+
 TEST_CASE("frames that nobody wants any more are not written") {
   const TemporaryFolder folder;
   const OverTimeReport over = ballsOverTime();

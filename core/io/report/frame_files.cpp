@@ -1,6 +1,7 @@
 #include "core/io/report/frame_files.h"
 
 #include <filesystem>
+#include <system_error>
 
 #include "core/cancellation.h"
 #include "core/io/atomic_file.h"
@@ -23,6 +24,18 @@ std::vector<std::string> frameMeshPaths(const std::string& path, const std::vect
   return paths;
 }
 
+namespace {
+
+//! What an earlier run left there would pass for a surface of this one.
+void removeMesh(const std::string& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_directory(path, failed)) std::filesystem::remove(path, failed);
+  if (failed && failed != std::errc::no_such_file_or_directory)
+    refuseOutput(path, systemFinding(failed.value()));
+}
+
+}  // namespace
+
 void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const std::string& path) {
   FileSet files;
   std::vector<int> written;
@@ -35,6 +48,8 @@ void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const s
   if (hasCollection(path)) writeCollection(path, written, over.times, &files);
   giveUpIfCancelled();
   files.commit();
+  for (const FrameResult& r : over.frames)
+    if (r.mesh.triangles.empty()) removeMesh(numberedPath(path, r.frame));
 }
 
 void writeFrameLabels(const OverTimeReport& over, const ObjectLabel& label, const Grid& grid,

@@ -18,8 +18,9 @@ bool hasCollection(const std::string& path);
 //! (collectionPath).
 std::vector<std::string> frameMeshPaths(const std::string& path, const std::vector<int>& frames);
 
-//! frameMeshPaths of the frames that have a surface. None of them gets its name before all are written.
-//! Throws as writeMesh and writeCollection, and Cancelled (cancellation.h).
+//! frameMeshPaths of the frames that have a surface. None of them gets its name before all are written; then
+//! the files of the other frames, which are of an earlier run, are removed. Throws as writeMesh and
+//! writeCollection, and Cancelled (cancellation.h).
 void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const std::string& path);
 
 //! A 4D label map of the frames of the range on `grid`; frames without a surface are empty. Precondition:
