@@ -11,7 +11,6 @@
 #include "app/picture/picture.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
-#include "core/io/meshes/mesh_io.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/over_time_report.h"
 #include "core/io/report/parse.h"
@@ -290,9 +289,7 @@ int runOverTime(LoadedSession loaded, const RunOutputs& outputs, const OverTimeO
     DeferSignals whole;
     writeFrameFiles(grown.report, outputs, options.curves);
     if (shown) writePicture(*shown, grown.mesh, outputs.picture);
-    if (!outputs.sensitivity.surface.empty() && grown.report.sensitivity->grown > 0)
-      writeMeshWithValues(grown.mesh, grown.report.sensitivity->spread, "spread_mm",
-                          outputs.sensitivity.surface);
+    writeSpread(grown.mesh, grown.report, outputs);
     grown.report.seconds.exported += watch.lap();
     const Timings& s = grown.report.seconds;
     grown.report.seconds.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;

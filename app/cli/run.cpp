@@ -228,6 +228,12 @@ void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& r
     writeTextAtomically(outputs.labelDescription, labelDescription(objects));
 }
 
+void writeSpread(const TriangleSoup& mesh, const RunReport& report, const RunOutputs& outputs) {
+  const std::string& path = outputs.sensitivity.surface;
+  if (path.empty() || !report.sensitivity || report.sensitivity->grown == 0) return;
+  writeMeshWithValues(mesh, report.sensitivity->spread, "spread_mm", path);
+}
+
 namespace {
 
 //! Of the surface as it is written; what takes long, for the report alone.
@@ -249,6 +255,19 @@ void warn(const std::vector<Finding>& warnings, const std::string& name) {
 }
 
 bool isPolished(const Session& session) { return session.polish && !isMeshAsItIs(session.constraints); }
+
+//! Perturbed runs go on until they are at rest, and would be compared with a surface that is not.
+bool isAtRest(const RunReport& report) {
+  return !report.isStoppedAtLeak && !report.isStoppedToAsk && report.stopped != StopReason::running;
+}
+
+std::vector<Finding> warningsOfSensitivity(const RunReport& report) {
+  if (report.sensitivity) return sensitivityWarnings(*report.sensitivity);
+  return {
+      {FindingKind::other,
+       {{"text", std::string("The sensitivity is not told: the growth was stopped before the surface came "
+                             "to rest, and perturbed runs would go on")}}}};
+}
 
 void tellPolish(const PolishReport& polish, RunReport& report) {
   report.polish = polish;
@@ -300,13 +319,13 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   report.seconds.exported = watch.lap();
   tellSurface(made, volume, outputs, report);
   watch.lap();
-  if (outputs.sensitivity.runs > 0)
+  if (outputs.sensitivity.runs > 0 && isAtRest(report))
     report.sensitivity = sensitivityOf(made.mesh, {volume, contour.request(), contour.parameters()},
                                        outputs.sensitivity, outputs.quiet);
   report.seconds.sensitivity = watch.lap();
   addWarnings(contour, made.mesh, report);
-  if (report.sensitivity)
-    for (Finding& d : sensitivityWarnings(*report.sensitivity)) report.warnings.push_back(std::move(d));
+  if (outputs.sensitivity.runs > 0)
+    for (Finding& d : warningsOfSensitivity(report)) report.warnings.push_back(std::move(d));
   warn(report.warnings, name);
   report.seconds.exported += watch.lap();
   return {std::move(report), std::move(made.mesh), std::move(polishing), std::move(unpolished)};
@@ -323,8 +342,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
     DeferSignals whole;
     writeObjects({{labelInFiles(report, outputs), mesh}}, report, outputs);
     if (shown) writePicture(*shown, mesh, outputs.picture);
-    if (!outputs.sensitivity.surface.empty() && report.sensitivity->grown > 0)
-      writeMeshWithValues(mesh, report.sensitivity->spread, "spread_mm", outputs.sensitivity.surface);
+    writeSpread(mesh, report, outputs);
     report.seconds.exported += watch.lap();
     const Timings& s = report.seconds;
     report.seconds.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;

@@ -111,6 +111,8 @@ ObjectLabel labelInFiles(const RunReport& report, const RunOutputs& outputs);
 //! Writes every file of -o, and the description of the labels. Throws OutputError, UsageError.
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
                   const RunOutputs& outputs);
+//! Writes --sensitivity-surface, if there is anything to tell of. Throws as writeMeshWithValues.
+void writeSpread(const TriangleSoup& mesh, const RunReport& report, const RunOutputs& outputs);
 //! Writes session, trace and report. Throws OutputError.
 void writeSideFiles(RunReport report, const RunOutputs& outputs);
 //! Of what the reports tell; kLeak goes before kMaxIterations.

@@ -148,8 +148,10 @@ TEST_CASE("on-held stop ends with exit code 6 and a question that an option answ
     return std::pair(nlohmann::json::parse(readBytes(folder / "r.json")), outcome.err);
   };
   for (const char* choice : {"stop", "pause"}) {  // there is no terminal
-    const auto [report, told] = segment({"--on-held", choice}, 6);
+    const auto [report, told] = segment({"--on-held", choice, "--sensitivity", "2"}, 6);
     CHECK(report.at("stopped") == "held");
+    CHECK_FALSE(report.contains("sensitivity"));
+    CHECK_THAT(told, Contains("warning: The sensitivity is not told"));
     const auto& question = report.at("questions").at(0);
     CHECK(question.at("iteration") == report.at("iterations"));
     CHECK(question.at("answer") == "none");

@@ -88,10 +88,13 @@ TEST_CASE("on-leak stop ends with exit code 6 and the mesh of before, which repl
   const TempFolder folder;
   const PhantomFile phantom = chambers(folder);
   for (const char* choice : {"stop", "pause"}) {  // there is no terminal
-    const Outcome stopped = segment(phantom, {"--on-leak", choice, "-o", folder / "a.stl", "--report",
-                                              folder / "r.json", "--session", folder / "s.json"});
+    const Outcome stopped =
+        segment(phantom, {"--on-leak", choice, "-o", folder / "a.stl", "--report", folder / "r.json",
+                          "--session", folder / "s.json", "--sensitivity", "2"});
     CHECK(stopped.exitCode == 6);
+    CHECK_THAT(stopped.err, Contains("warning: The sensitivity is not told"));
     const auto report = parsed(folder / "r.json");
+    CHECK_FALSE(report.contains("sensitivity"));
     CHECK(report.at("stopped") == "leak");
     CHECK(report.at("leaks").at(0).at("answer") == "stop");
     CHECK(report.at("iterations").get<int>() < report.at("leaks").at(0).at("iteration").get<int>());

@@ -1,5 +1,7 @@
 // How much a result depends on clicks, smoothing and noise, on the command line.
 
+#include <filesystem>
+
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
@@ -43,6 +45,30 @@ TEST_CASE("segment --sensitivity tells volume and spread, and leaves the result 
   CHECK(s.at("volume_mm3").at("standard_deviation").get<double>() > 0);
   CHECK(s.at("spread_mm").at("largest").get<double>() > s.at("spread_mm").at("mean").get<double>());
   CHECK(report.at("seconds").at("sensitivity").get<double>() > 0);
+}
+
+TEST_CASE("of a growth that was stopped before it came to rest no sensitivity is told",
+          "[cli][sensitivity]") {
+  const TempFolder folder;
+  const PhantomFile ball = makePhantomFile(folder);
+  REQUIRE(runCli({"segment", ball.path, "--seed", ball.seed, "-o", folder / "a.stl", "--session",
+                  folder / "s.json", "--quiet"})
+              .exitCode == 0);
+  auto session = nlohmann::json::parse(readBytes(folder / "s.json"));
+  session["requested"]["stop_at"] = 3;
+  writeBytes(folder / "s.json", session.dump());
+  const Outcome told =
+      runCli({"replay", folder / "s.json", "-o", folder / "a.stl", "--report", folder / "r.json",
+              "--sensitivity", "2", "--sensitivity-surface", folder / "spread.vtp"});
+  INFO(told.err);
+  CHECK(told.exitCode == 0);
+  CHECK_THAT(told.err, Contains("warning: The sensitivity is not told") && !Contains("sensitivity: run"));
+  CHECK_THAT(told.out, !Contains("sensitivity"));
+  const auto report = nlohmann::json::parse(readBytes(folder / "r.json"));
+  CHECK(report.at("stopped") == "stop-at");
+  CHECK_FALSE(report.contains("sensitivity"));
+  CHECK_THAT(report.at("warnings").dump(), Contains("The sensitivity is not told"));
+  CHECK_FALSE(std::filesystem::exists(folder / "spread.vtp"));
 }
 
 TEST_CASE("a sensitivity that cannot be told is refused before any work", "[cli][sensitivity]") {
