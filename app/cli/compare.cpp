@@ -63,14 +63,22 @@ void compareSampled(ComparedPair& pair, const ComparisonOptions& how) try {
   throw OptionError("--sampling", error.what());
 }
 
+ComparedObject readSide(const std::string& path, const std::string& label, const CompareOptions& o,
+                        std::vector<Finding>& warnings) {
+  if (isMeshInputPath(path)) return readCompared(path, {}, warnings);
+  const std::optional<int> number = labelOf(path, label);
+  LabelFile file = openLabels(path, o.frame);
+  return comparedLabels(path, file, number, warnings);
+}
+
 int compare(const CompareOptions& o) {
   checkOptions(o);
   const PhaseLine line(o.quiet);
   ComparedPair pair;
   const std::string &ofA = o.labelA.empty() ? o.label : o.labelA,
                     &ofB = o.labelB.empty() ? o.label : o.labelB;
-  pair.a = readCompared(o.a, labelOf(o.a, ofA), pair.warnings, {}, o.frame);
-  pair.b = readCompared(o.b, labelOf(o.b, ofB), pair.warnings, {}, o.frame);
+  pair.a = readSide(o.a, ofA, o, pair.warnings);
+  pair.b = readSide(o.b, ofB, o, pair.warnings);
   compareSampled(pair, o.how);
   if (o.isAnonymous) pair = anonymous(std::move(pair));
   write(pair, o);

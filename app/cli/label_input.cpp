@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/io/meshes/mesh_io.h"
-#include "core/io/report/label_file.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody::cli {
@@ -26,6 +26,13 @@ void addLabelFrame(CLI::App& command, std::optional<int>& frame) {
   };
   command.add_option_function<std::string>("--frame", set, "Time point of a 4D label map, from 0")
       ->type_name("N");
+}
+
+LabelFile openLabels(const std::string& path, const std::optional<int>& frame) {
+  LabelFile file(path, {}, frame);
+  if (frame && file.info().layers > 1)
+    throw OptionError("--frame", path + " has layers, not time points; --label chooses.");
+  return file;
 }
 
 std::optional<int> labelOf(const std::string& path, const std::string& label) {

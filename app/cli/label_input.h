@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "core/io/report/label_file.h"
+
 namespace CLI {
 class App;
 }
@@ -15,6 +17,9 @@ void addLabelOption(CLI::App& command, const std::string& name, std::string& lab
 
 //! Adds --frame: the time point of label maps that have several.
 void addLabelFrame(CLI::App& command, std::optional<int>& frame);
+
+//! A label map, or that time point of it. Throws as LabelFile, and UsageError for a time point of layers.
+LabelFile openLabels(const std::string& path, const std::optional<int>& frame);
 
 //! Its number; none if none was given, and of a mesh. Throws InputError (labelCalled).
 std::optional<int> labelOf(const std::string& path, const std::string& label);

@@ -139,10 +139,8 @@ int mesh(const MeshOptions& o) {
   }
   checkWritable(files, {o.labels});
   const std::optional<int> label = labelOf(o.labels, o.label);
-  LabelFile file(o.labels, {}, o.frame);
+  LabelFile file = openLabels(o.labels, o.frame);
   const VolumeInfo& info = file.info();
-  if (o.frame && info.layers > 1)
-    throw OptionError("--frame", o.labels + " has layers, not time points; --label chooses.");
   const ExportContext context{info.grid, o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
                               info.dicom, o.content, o.mesherSeconds};
   for (const std::string& path : o.results) checkResult(path, context);

@@ -195,8 +195,16 @@ TEST_CASE("of segments that overlap each is meshed by number or name, and withou
   const std::vector<test::Segment> segments{{"Half", "1 0 0", block(6)}, {"Whole", "0 1 0", block(8)}};
   writeLayers(segments, grid, folder / "l.seg.nrrd");
   writeOverlappingDicom(segments, grid, folder / "l.seg.dcm");
-  CHECK(runCli({"mesh", folder / "l.seg.nrrd", "--frame", "0", "-o", folder / "m.stl"}).exitCode ==
-        2);  // layers
+  const std::string layers = folder / "l.seg.nrrd";
+  writeBytes(folder / "one.mha", someLabels());
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"mesh", layers, "-o", folder / "m.stl"},
+        {"compare", layers, folder / "one.mha"},
+        {"compare", folder / "one.mha", layers, "--label-b", "Half"}}) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--frame", "0"});
+    requireRefusal(folder, all, 2, "--frame: " + layers + " has layers, not time points");
+  }
   for (const std::string name : {"l.seg.nrrd", "l.seg.dcm"}) {
     INFO(name);
     const auto volume = [&](const std::vector<std::string>& more) {

@@ -82,9 +82,9 @@ ComparedObject comparedLabels(const std::string& name, const Volume& labels, std
 }
 
 ComparedObject readCompared(const std::string& path, std::optional<int> label, std::vector<Finding>& warnings,
-                            const DecoderSettings& decoder, std::optional<int> frame) {
+                            const DecoderSettings& decoder) {
   if (isMeshInputPath(path)) return comparedMesh(path, readMesh(path, decoder));
-  LabelFile file(path, decoder, frame);
+  LabelFile file(path, decoder);
   return comparedLabels(path, file, label, warnings);
 }
 

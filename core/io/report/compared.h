@@ -31,10 +31,10 @@ ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh);
 //! What a label map holds. Throws InputError if a voxel is no whole number, and as solidOf.
 ComparedObject comparedLabels(const std::string& name, const Volume& labels, std::optional<int> label);
 
-//! A mesh or label map, by the ending of its path; a label and a frame of a file are meant as LabelFile does.
-//! Adds the warnings of the file. Throws InputError.
+//! A mesh or label map, by the ending of its path; a label of a file is meant as LabelFile does. Adds the
+//! warnings of the file. Throws InputError.
 ComparedObject readCompared(const std::string& path, std::optional<int> label, std::vector<Finding>& warnings,
-                            const DecoderSettings& decoder = {}, std::optional<int> frame = {});
+                            const DecoderSettings& decoder = {});
 
 //! The same of a label map that is open.
 ComparedObject comparedLabels(const std::string& path, LabelFile& file, std::optional<int> label,
