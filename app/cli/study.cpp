@@ -150,11 +150,13 @@ std::string inputPath(const std::string& text, const fs::path& folder) {
   return path;
 }
 
-//! The name of a volume without what says its format.
-std::string stem(const std::string& volume) {
+//! The name of a volume without what says its format, which that of a folder does not.
+std::string stem(const std::string& volume, const fs::path& folder) {
   fs::path name = fs::path(volume).lexically_normal();
   if (!name.has_filename()) name = name.parent_path();
   name = name.filename();
+  std::error_code failed;
+  if (fs::is_directory(folder / volume, failed)) return name.string();
   if (name.extension() == ".gz") name = name.stem();
   return name.stem().string();
 }
@@ -218,7 +220,7 @@ class RowReader {
     }
     const auto isName = [](const Column& c) { return c.kind == ColumnKind::name; };
     if (std::any_of(columns_.begin(), columns_.end(), isName)) return;
-    case_.name = case_.isAnonymous ? "line-" + std::to_string(row.line) : stem(case_.volume);
+    case_.name = case_.isAnonymous ? "line-" + std::to_string(row.line) : stem(case_.volume, folder_);
   }
 
   void requireCells(const CsvRow& row) const {

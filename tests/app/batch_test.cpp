@@ -214,6 +214,22 @@ TEST_CASE("the format and the folder of relative paths can be chosen for all row
   CHECK(fs::exists(s.file("b", "b.obj")));
 }
 
+TEST_CASE("a case without a name is called after its file without the extension, or its whole folder",
+          "[batch]") {
+  const Study s;
+  std::string rows = "volume,seed\n";
+  for (const std::string series : {"1.2.840.1", "1.2.840.2/"}) {
+    fs::create_directories(s.folder / ("scans/" + series));
+    rows += "scans/" + series + ",\"" + s.phantom.seed + "\"\n";
+  }
+  writeBytes(s.csv, rows + "sphere.mha,\"" + s.phantom.seed + "\"\n");
+  s.run({"--only-summary"});
+  CHECK(s.row(0).at("case") == "1.2.840.1");
+  CHECK(s.row(1).at("case") == "1.2.840.2");
+  CHECK(s.row(2).at("case") == "sphere");
+  for (std::size_t i = 0; i < 3; ++i) CHECK(s.row(i).at("status") != "refused");
+}
+
 TEST_CASE("several seeds in a cell or in columns of one name are several seeds", "[batch]") {
   const Study s;
   writeBytes(s.csv, "volume,seed,seed\nsphere.mha,\"" + s.phantom.seed + " ; 40,40,40,4\",\"44,40,40,4\"\n");
