@@ -171,8 +171,6 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "{voxels:0f} of its voxels are infinite, the first at index ({index: 0f})")},
     {K::noNumbers, "no-numbers", QT_TRANSLATE_NOOP("Findings", "none of its voxels is a number")},
-    {K::lowestNumbers, "lowest-numbers",
-     QT_TRANSLATE_NOOP("Findings", "its voxels are as low as numbers go")},
     {K::vectorVoxels, "vector-voxels",
      QT_TRANSLATE_NOOP("Findings",
                        "its voxels have {components} components (vectors); only scalar and colour volumes "

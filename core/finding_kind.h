@@ -241,7 +241,6 @@ enum class FindingKind {
   infiniteVoxel,   //!< index
   infiniteVoxels,  //!< voxels, index: of the first
   noNumbers,
-  lowestNumbers,
   vectorVoxels,  //!< components
   fourDimensions,
   tooManyDimensions,  //!< dimensions

@@ -1,6 +1,6 @@
 #pragma once
-// Voxels that are not a number in their file are read as a number below all others, which is known again by
-// its digits.
+// Voxels that are not a number in their file, or too large a one, are read as a number below all others,
+// which is known again by its digits.
 
 #include <bit>
 #include <cmath>
@@ -11,6 +11,16 @@
 #include <type_traits>
 
 namespace handlebody {
+
+//! No voxel that was measured is larger, of either sign: ±FLT_MAX and ±DBL_MAX are what programs write where
+//! they have no value. Sums of so large ones stay finite in single precision (smoothing).
+inline constexpr double kLargestVoxel = 1e37;
+
+//! Neither NaN, infinite nor above kLargestVoxel. T is float or double.
+template <typename T>
+bool isVoxelValue(T voxel) {
+  return std::abs(voxel) <= static_cast<T>(kLargestVoxel);
+}
 
 //! The largest number below `least`, that of all voxels that are numbers, whose last bits are a mark. May be
 //! infinite. T is float or double.

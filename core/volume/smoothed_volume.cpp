@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/cancellation.h"
 #include "core/indices.h"
+#include "core/volume/not_a_number.h"
 
 namespace handlebody {
 
@@ -55,6 +57,18 @@ void convolveRow(const float* in, float* out, const std::vector<float>& w, int o
     for (int i = 0; i < outCount; ++i) out[i] += w[t] * (in[i + radius - t] + in[i + radius + t]);
 }
 
+//! In single precision, so that sums of neighbours stay finite: readers leave no voxel beyond kLargestVoxel,
+//! but volumes also come from elsewhere. NaN becomes the least.
+template <typename T>
+float singleOf(T voxel) {
+  if constexpr (std::is_floating_point_v<T>) {
+    constexpr T kMax = static_cast<T>(kLargestVoxel);
+    return static_cast<float>(std::min(std::max(-kMax, voxel), kMax));
+  } else {
+    return static_cast<float>(voxel);
+  }
+}
+
 }  // namespace
 
 SmoothedVolume::SmoothedVolume(Volume volume, double sigma, std::shared_ptr<const FieldOfView> view,
@@ -89,7 +103,7 @@ const float* SmoothedVolume::make(std::size_t slot) const {
 template <typename T>
 void SmoothedVolume::readRow(const T* voxels, std::size_t row, int from, int count, float* out) const {
   const int low = std::max(0, from), high = std::min(grid().size[0], from + count);
-  for (int i = low; i < high; ++i) out[i - from] = static_cast<float>(voxels[row + idx(i)]);
+  for (int i = low; i < high; ++i) out[i - from] = singleOf(voxels[row + idx(i)]);
   if (view_)
     for (int i = low; i < high; ++i)
       if (isPadding(row + idx(i))) out[i - from] = wall_;

@@ -828,10 +828,6 @@
         <translation>kein Voxel ist eine Zahl</translation>
     </message>
     <message>
-        <source>its voxels are as low as numbers go</source>
-        <translation>die Voxel sind so niedrig, wie Zahlen sein können</translation>
-    </message>
-    <message>
         <source>its voxels have {components} components (vectors); only scalar and colour volumes are supported</source>
         <translation>die Voxel haben {components} Komponenten (Vektoren); unterstützt werden nur skalare und farbige Bildvolumen</translation>
     </message>

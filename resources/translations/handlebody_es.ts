@@ -828,10 +828,6 @@
         <translation>ninguno de sus vóxeles es un número</translation>
     </message>
     <message>
-        <source>its voxels are as low as numbers go</source>
-        <translation>sus vóxeles son tan bajos como pueden serlo los números</translation>
-    </message>
-    <message>
         <source>its voxels have {components} components (vectors); only scalar and colour volumes are supported</source>
         <translation>sus vóxeles tienen {components} componentes (vectores); solo se admiten volúmenes escalares y en color</translation>
     </message>

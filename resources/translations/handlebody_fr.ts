@@ -828,10 +828,6 @@
         <translation>aucun de ses voxels n’est un nombre</translation>
     </message>
     <message>
-        <source>its voxels are as low as numbers go</source>
-        <translation>ses voxels sont aussi bas que peuvent l’être des nombres</translation>
-    </message>
-    <message>
         <source>its voxels have {components} components (vectors); only scalar and colour volumes are supported</source>
         <translation>ses voxels ont {components} composantes (vecteurs) ; seuls les volumes scalaires et en couleur sont pris en charge</translation>
     </message>

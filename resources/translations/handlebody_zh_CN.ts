@@ -828,10 +828,6 @@
         <translation>没有一个体素是数字</translation>
     </message>
     <message>
-        <source>its voxels are as low as numbers go</source>
-        <translation>其体素值已低至数值下限</translation>
-    </message>
-    <message>
         <source>its voxels have {components} components (vectors); only scalar and colour volumes are supported</source>
         <translation>其体素有 {components} 个分量（向量）；仅支持标量和彩色体数据</translation>
     </message>

@@ -246,6 +246,38 @@ TEST_CASE("voxels that are not a number are read below all others, with a warnin
   for (std::size_t i = 0; i < voxels.size(); ++i) REQUIRE(view->isPadding(i) == std::isnan(voxels[i]));
 }
 
+TEMPLATE_TEST_CASE("voxels as large as numbers go have no value, as those that are not a number", "", float,
+                   double) {
+  const TemporaryFolder folder;
+  constexpr bool kSingle = sizeof(TestType) == 4;
+  constexpr TestType kMax = std::numeric_limits<TestType>::max();
+  std::vector<TestType> voxels(8 * 8 * 8, 5);
+  voxels[1] = -2;
+  voxels[2] = static_cast<TestType>(9e36);  // may be meant
+  voxels[10] = voxels[11] = -kMax;
+  voxels[20] = kMax;
+  voxels[30] = static_cast<TestType>(-2e38);
+  voxels[40] = std::numeric_limits<TestType>::quiet_NaN();
+  std::string bytes(voxels.size() * sizeof(TestType), '\0');
+  std::memcpy(bytes.data(), voxels.data(), bytes.size());
+  writeBytes(folder / "v.mha",
+             "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 8 8 8\nElementType = " +
+                 std::string(kSingle ? "MET_FLOAT" : "MET_DOUBLE") + "\nElementDataFile = LOCAL\n" + bytes);
+  const LoadedVolume loaded = loadVolume(folder / "v.mha");
+  expectAmong(loaded.info, FindingKind::voxelsNotNumbers,
+              "5 of 512 voxels are not a number: they count as outside of the field of view.");
+  const auto view = FieldOfView::find(loaded.volume);
+  REQUIRE(view != nullptr);
+  const auto* values = loaded.volume.data<TestType>();
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    INFO(i);
+    const bool isOutside = i == 10 || i == 11 || i == 20 || i == 30 || i == 40;
+    REQUIRE((isOutside ? values[i] < -2 && values[i] > -2.01 : values[i] == voxels[i]));
+    // All of the border but the few that were changed is 5, which makes it padding.
+    if (isOutside) REQUIRE(view->isPadding(i));
+  }
+}
+
 // What ITK's readers lose (docs/formats.md).
 
 TEST_CASE("a packed NIfTI gives its own voxels where another one of its name lies beside it unpacked") {

@@ -97,9 +97,10 @@ struct LoadedVolume {
 //! be chosen, too.
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection = {});
 //! Besides, refuses float volumes with voxels that are infinite (their number and the first index), or all
-//! NaN. Where some are NaN they get the number just below the least of the others, and a warning says so:
-//! that is how FieldOfView knows them. Without a selection the first time point. Not for several threads at
-//! once: output of the libraries below to std::cerr and std::cout is held back meanwhile.
+//! NaN. Where some are NaN, or beyond kLargestVoxel (not_a_number.h), they get the number just below the
+//! least of the others, and a warning says so: that is how FieldOfView knows them. Without a selection the
+//! first time point. Not for several threads at once: output of the libraries below to std::cerr and
+//! std::cout is held back meanwhile.
 Volume readVolume(const std::string& path, const VolumeSelection& selection = {});
 //! Both in one reading. Throws Cancelled (cancellation.h) within some 50 ms after the stop token is set.
 LoadedVolume loadVolume(const std::string& path, const VolumeSelection& selection = {},

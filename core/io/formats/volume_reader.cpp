@@ -60,7 +60,7 @@ void convertInto(const VolumeHeader& h, const void* from, VoxelType type, void* 
   }
 }
 
-//! How many are not a number: they get one below the least of the others.
+//! How many are not a number, or too large a one: they get one below the least of the others.
 template <typename T>
 std::size_t fillNotANumber(T* values, const Grid& grid, const std::string& path) {
   const std::size_t n = grid.voxelCount();
@@ -68,12 +68,12 @@ std::size_t fillNotANumber(T* values, const Grid& grid, const std::string& path)
   T least = std::numeric_limits<T>::max();
   for (std::size_t i = 0; i < n; ++i) {
     const T v = values[i];
-    if (std::isnan(v))
-      ++none;
-    else if (std::isinf(v) && infinite++ == 0)
-      first = i;
-    else
+    if (isVoxelValue(v))
       least = std::min(least, v);
+    else if (!std::isinf(v))
+      ++none;
+    else if (infinite++ == 0)
+      first = i;
   }
   const auto nx = static_cast<std::size_t>(grid.size[0]), ny = static_cast<std::size_t>(grid.size[1]);
   if (infinite > 0)
@@ -86,9 +86,8 @@ std::size_t fillNotANumber(T* values, const Grid& grid, const std::string& path)
   if (none == n) refuseInput(path, FindingKind::noNumbers);
   if (none == 0) return 0;
   const T below = notANumberBelow(least);
-  if (!std::isfinite(below)) refuseInput(path, FindingKind::lowestNumbers);
   for (std::size_t i = 0; i < n; ++i)
-    if (std::isnan(values[i])) values[i] = below;
+    if (!isVoxelValue(values[i])) values[i] = below;
   return none;
 }
 

@@ -1,5 +1,8 @@
 #include "core/volume/smoothed_volume.h"
 
+#include <array>
+#include <cmath>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -101,6 +104,29 @@ TEST_CASE("the response to an impulse sums to one and is the same in all directi
   CHECK(smoothed.at(33, 32, 24) == Approx(static_cast<double>(smoothed.at(31, 30, 24))));
   // Two voxels of 1 mm, four of 0.5 mm: the same part of the value at the middle.
   CHECK(smoothed.at(33, 32, 24) == Approx(static_cast<double>(smoothed.at(31, 32, 28))).epsilon(1e-5));
+}
+
+TEST_CASE("smoothed values are finite whatever the voxels are") {
+  const Grid grid = cubicGrid(20);
+  void *single = nullptr, *wide = nullptr;
+  const Volume singles = makeVolume(grid, VoxelType::float32, &single),
+               wides = makeVolume(grid, VoxelType::float64, &wide);
+  using Float = std::numeric_limits<float>;
+  using Double = std::numeric_limits<double>;
+  const std::array<float, 4> floats{Float::max(), -Float::max(), Float::quiet_NaN(), -Float::infinity()};
+  const std::array<double, 4> doubles{Double::max(), -1e39, Double::quiet_NaN(), Double::infinity()};
+  // Blocks of each: neighbours of one sign are what overflows when they are added.
+  for (std::size_t i = 0; i < grid.voxelCount(); ++i) {
+    const std::size_t block = i / 5 % 5;
+    static_cast<float*>(single)[i] = block == 4 ? 7 : floats[block];
+    static_cast<double*>(wide)[i] = block == 4 ? 7 : doubles[block];
+  }
+  for (const double sigma : {0.0, 1.5})
+    for (const Volume& volume : {singles, wides}) {
+      const SmoothedVolume smoothed(volume, sigma);
+      for (const auto& [i, j, k] : allVoxels(grid)) REQUIRE(std::isfinite(smoothed.at(i, j, k)));
+      REQUIRE(std::isfinite(smoothed.sample(Vec3(2.5, 3.5, 4.5))));
+    }
 }
 
 TEST_CASE("smoothing in bricks equals the sum over the whole image, also across the borders of bricks") {
