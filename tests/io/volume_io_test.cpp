@@ -2,6 +2,8 @@
 #include <sys/wait.h>
 #include <zlib.h>
 
+#include <limits>
+
 #include "core/io/formats/sha256.h"
 #include "tests/io/io_test_support.h"
 
@@ -32,8 +34,9 @@ std::string nrrdHeader(const std::string& type, const std::string& sizes, const 
          "\nendian: little\nencoding: raw\n" + rest + "\n";
 }
 
-//! Little-endian TIFF of 8-bit pages.
-std::string tiffBytes(int width, int height, const std::vector<std::string>& pages) {
+//! Little-endian TIFF of pages of 8 bits, or of floats of 32.
+std::string tiffBytes(int width, int height, const std::vector<std::string>& pages, bool areFloats = false) {
+  constexpr std::uint32_t kWholeNumbers = 1, kFloats = 3;
   std::string bytes("II*\0\0\0\0\0", 8);
   std::size_t link = 4;
   for (const std::string& page : pages) {
@@ -43,16 +46,17 @@ std::string tiffBytes(int width, int height, const std::vector<std::string>& pag
     patch(bytes, link, static_cast<std::uint32_t>(bytes.size()));
     const std::uint32_t tags[][3] = {{256, 4, static_cast<std::uint32_t>(width)},
                                      {257, 4, static_cast<std::uint32_t>(height)},
-                                     {258, 3, 8},
+                                     {258, 3, areFloats ? 32U : 8U},
                                      {259, 3, 1},
                                      {262, 3, 1},
                                      {273, 4, static_cast<std::uint32_t>(data)},
                                      {277, 3, 1},
                                      {278, 4, static_cast<std::uint32_t>(height)},
-                                     {279, 4, static_cast<std::uint32_t>(page.size())}};
-    std::string directory(2 + 9 * 12 + 4, '\0');
-    patch(directory, 0, std::uint16_t{9});
-    for (std::size_t i = 0; i < 9; ++i) {
+                                     {279, 4, static_cast<std::uint32_t>(page.size())},
+                                     {339, 3, areFloats ? kFloats : kWholeNumbers}};
+    std::string directory(2 + std::size(tags) * 12 + 4, '\0');
+    patch(directory, 0, static_cast<std::uint16_t>(std::size(tags)));
+    for (std::size_t i = 0; i < std::size(tags); ++i) {
       patch(directory, 2 + 12 * i, static_cast<std::uint16_t>(tags[i][0]));
       patch(directory, 4 + 12 * i, static_cast<std::uint16_t>(tags[i][1]));
       patch(directory, 6 + 12 * i, std::uint32_t{1});
@@ -329,6 +333,26 @@ TEST_CASE("a TIFF of several pages is a volume, with a warning about its geometr
   expectInputError(folder / "flat.tif", "2D image");
   writeBytes(folder / "short.tif", readBytes(folder / "v.tif").substr(0, 150));
   expectInputError(folder / "short.tif", "", true);
+}
+
+TEST_CASE("voxels of a TIFF that are not a number are read below all others, as of other formats") {
+  const TemporaryFolder folder;
+  std::vector<std::string> pages;
+  for (int k = 0; k < 4; ++k) {
+    std::string page(3 * 2 * sizeof(float), '\0');
+    for (std::size_t i = 0; i < 6; ++i)
+      patch(page, 4 * i, static_cast<float>(10 * k) + static_cast<float>(i));
+    pages.push_back(page);
+  }
+  patch(pages[2], 4 * 5, std::numeric_limits<float>::quiet_NaN());
+  writeBytes(folder / "v.tif", tiffBytes(3, 2, pages, true));
+  const LoadedVolume loaded = loadVolume(folder / "v.tif");
+  REQUIRE(loaded.volume.type == VoxelType::float32);
+  expectAmong(loaded.info, FindingKind::voxelsNotNumbers,
+              "1 of 24 voxels are not a number: they count as outside of the field of view.");
+  const auto* values = loaded.volume.data<float>();
+  for (int i = 0; i < 24; ++i)
+    CHECK((i == 17 ? values[i] < 0 : values[i] == static_cast<float>(i / 6 * 10 + i % 6)));
 }
 
 TEST_CASE("a folder of TIFF files is a volume of slices, in the order of their numbers") {

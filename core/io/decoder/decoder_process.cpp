@@ -199,7 +199,9 @@ std::shared_ptr<void> DecoderProcess::takeMemory(std::uint64_t bytes) {
   struct stat status {};
   if (::fstat(memory_, &status) != 0 || static_cast<std::uint64_t>(status.st_size) < bytes)
     refuseInput(path_, FindingKind::decoderGaveLess);
-  void* memory = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED | MAP_POPULATE, memory_, 0);
+  // To be written, too: the reader puts numbers where there are none. Shared, since nobody shares it any more
+  // and a private mapping that is populated for writing is a copy.
+  void* memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE, memory_, 0);
   if (memory == MAP_FAILED) refuseInput(path_, FindingKind::notEnoughMemory);
   return {memory, [bytes](void* p) { ::munmap(p, bytes); }};
 }

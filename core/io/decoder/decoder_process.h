@@ -22,7 +22,8 @@ class DecoderProcess {
   Message receive(const ReadProgress& progress, double from, double to);
   //! The child may have so many bytes of address space more than when it was ready.
   void allowMemory(std::uint64_t bytes);
-  //! What the child has filled, read-only, once it has ended. Throws InputError if that is less than `bytes`.
+  //! What the child has filled, once it has ended; nobody else has it. Throws InputError if that is less than
+  //! `bytes`.
   std::shared_ptr<void> takeMemory(std::uint64_t bytes);
 
  private:
