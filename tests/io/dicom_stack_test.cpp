@@ -146,6 +146,31 @@ TEST_CASE("several different slices in every place are time points; incomplete o
   expectInputError(folder / "part", "not equally many in every place");
 }
 
+TEST_CASE("time points are in the order of their trigger times, in whatever order the files are numbered") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices;
+  for (Slice s : evenStack(4)) {
+    const bool isBackwards = s.value % 2 == 1;
+    for (int i = 0; i < 3; ++i) {
+      const int phase = isBackwards ? 2 - i : i;
+      s.value = static_cast<std::int16_t>(100 * phase + static_cast<int>(slices.size()) / 3);
+      s.triggerTime = 100 * phase + 3.5 * static_cast<double>(slices.size() / 3);  // hearts beat unevenly
+      s.number = static_cast<int>(slices.size()) + 1;
+      slices.push_back(s);
+    }
+  }
+  writeSeries(folder / "timed", slices);
+  REQUIRE(inspectVolume(folder / "timed").frames == 3);
+  for (int t = 0; t < 3; ++t) {
+    const Volume volume = readVolume(folder / "timed", {.frame = t});
+    for (int k = 0; k < 4; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == 100 * t + k);
+  }
+  slices.back().triggerTime = -1;  // where one has no time, numbers are all there is
+  writeSeries(folder / "partly", slices);
+  const Volume volume = readVolume(folder / "partly", {.frame = 0});
+  for (int k = 0; k < 4; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == (k % 2 == 1 ? 200 + k : k));
+}
+
 TEST_CASE("an enhanced multi-frame file takes its places from the functional groups, in any order") {
   const TemporaryFolder folder;
   Slice s = evenStack(1)[0];

@@ -101,6 +101,21 @@ TEST_CASE("DICOM time points have their trigger times, or the step of their posi
   CHECK(timesOf(folder / "same").empty());
 }
 
+TEST_CASE("DICOM time points whose slices were taken further apart than half a step have no times") {
+  const TemporaryFolder folder;
+  // The fourth of four slices at another time than the first.
+  const auto timesFor = [&](const std::string& name, double later) {
+    writeSeries(folder / name, twoTimes([&](Slice& s, int t) {
+                  s.triggerTime = 10 + 40 * t + (s.value % 50 == 3 ? later : 0);
+                }));
+    REQUIRE(inspectVolume(folder / name, {.frame = 0}).frames == 2);
+    return timesOf(folder / name);
+  };
+  CHECK(timesFor("near", 15) == Times{10, 50});
+  CHECK(timesFor("far", 25).empty());
+  CHECK(timesFor("next", 40).empty());
+}
+
 TEST_CASE("a folder of volumes is one with a time point for each, in the order of their numbers") {
   const TemporaryFolder folder;
   const std::string frames = folder / "frames";

@@ -60,8 +60,12 @@ Stacking::Stacking(std::vector<DicomSlice> slices, std::string path, const SameP
 }
 
 void Stacking::groupByPlace() {
+  // Numbers of instances need not run as time does, nor alike in every place.
+  const bool areTimed = std::all_of(slices_.begin(), slices_.end(),
+                                    [](const DicomSlice& s) { return s.place().milliseconds.has_value(); });
   const auto order = [&](const DicomSlice& s) {
-    return std::tuple(s.place().time, s.file->acquisitionNumber, s.file->instanceNumber, s.frame);
+    return std::tuple(s.place().time, s.file->acquisitionNumber, areTimed ? *s.place().milliseconds : 0,
+                      s.file->instanceNumber, s.frame);
   };
   std::stable_sort(slices_.begin(), slices_.end(),
                    [&](const DicomSlice& a, const DicomSlice& b) { return along(a) < along(b); });

@@ -1,7 +1,9 @@
 // DICOM as a volume, decoded in this process.
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "core/errors.h"
 #include "core/io/dicom/dicom_echo.h"
@@ -130,12 +132,25 @@ void StackSource::describe(const Assumed& assumed) {
   warn(f.photometric == "MONOCHROME1", FindingKind::lowIsBright);
 }
 
-//! Of the first slice of each time point.
+//! True if the slices of every time point were taken within half a step between time points.
+bool areTimesOfAll(const DicomStack& stack, const std::vector<double>& times) {
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 1; t < times.size(); ++t) step = std::min(step, times[t] - times[t - 1]);
+  for (std::size_t i = 0; i < stack.slices.size(); ++i) {
+    const auto ms = stack.slices[i].place().milliseconds;
+    if (ms && std::abs(*ms - times[i / stack.slicesPerFrame()]) > 0.5 * step) return false;
+  }
+  return true;
+}
+
+//! Of the first slice of each time point, unless the others were taken at times of other ones: hearts do not
+//! beat alike while slice after slice is taken.
 void StackSource::describeTimes() {
   std::vector<double> times;
   for (std::size_t i = 0; i < stack_.slices.size(); i += stack_.slicesPerFrame())
     if (const auto ms = stack_.slices[i].place().milliseconds) times.push_back(*ms);
-  header_.times = checkedTimes(header_.frames, std::move(times), stack_.slices.front().file->timeSource);
+  TimeAxis axis = checkedTimes(header_.frames, std::move(times), stack_.slices.front().file->timeSource);
+  if (!axis.milliseconds.empty() && areTimesOfAll(stack_, axis.milliseconds)) header_.times = std::move(axis);
 }
 
 void StackSource::describeOrigin(const Assumed& assumed) {
