@@ -125,6 +125,47 @@ TEST_CASE("two acquisitions of different pitch in the same place are two stacks,
   expectValues(folder.path(), "1.2.3.4#2", 4, 5, 10);
 }
 
+TEST_CASE("stations side by side are stacks, not time points of the first one's place") {
+  const TemporaryFolder folder;
+  std::vector<Slice> first = axial({0, 2, 4, 6}), second;
+  const auto shift = [&](double mm) {
+    for (Slice& s : second) s.position.y() += mm;
+  };
+  SECTION("one after the other") {
+    second = axial({0, 2, 4, 6}, 10);
+    shift(200);
+    writeSeries(folder.path(), together(first, second));
+    expectTwoStacks(folder.path());
+    expectValues(folder.path(), "1.2.3.4#1", 4, 2, 0);
+    expectValues(folder.path(), "1.2.3.4#2", 4, 2, 10);
+    CHECK(readVolume(folder.path(), chosen("1.2.3.4#2")).grid.origin.y() == Approx(200));
+  }
+  SECTION("with the same pixels") {
+    second = axial({0, 2, 4, 6});
+    for (Slice& s : second) s.number += 10;
+    shift(200);
+    writeSeries(folder.path(), together(first, second));
+    expectTwoStacks(folder.path());
+    expectValues(folder.path(), "1.2.3.4#2", 4, 2, 0);
+  }
+  SECTION("numbered in turn they cannot be told apart") {
+    second = axial({0, 2, 4, 6}, 10);
+    for (std::size_t i = 0; i < 4; ++i) {
+      first[i].number = static_cast<int>(2 * i);
+      second[i].number = static_cast<int>(2 * i + 1);
+    }
+    shift(200);
+    writeSeries(folder.path(), together(first, second));
+    expectInputError(folder.path(), "shifted against each other by 200 mm");
+  }
+  SECTION("what differs by less than a quarter of a pixel does not lie beside") {
+    second = axial({0, 2, 4, 6}, 10);
+    shift(0.1);
+    writeSeries(folder.path(), together(first, second));
+    CHECK(inspectVolume(folder.path()).frames == 2);
+  }
+}
+
 TEST_CASE("two pitches one behind the other are one resampled volume, and two stacks to be had alone") {
   const TemporaryFolder folder;
   writeSeries(folder.path(), together(axial({0, 2, 4, 6}), axial({9, 12, 15}, 4)));

@@ -37,6 +37,7 @@ class Stacking {
  private:
   double along(const DicomSlice& s) const { return s.place().position->dot(normal_); }
   void groupByPlace();
+  void checkPlaces() const;
   void leaveOutCopies();
   void separateTimes();
   void findPlaces();
@@ -78,6 +79,20 @@ void Stacking::groupByPlace() {
   for (auto& group : groups_)
     std::stable_sort(group.begin(), group.end(),
                      [&](const DicomSlice& a, const DicomSlice& b) { return order(a) < order(b); });
+}
+
+//! What lies in one place along the normal lies there across it, too: stations of a whole body do not, and
+//! are no time points of one volume.
+void Stacking::checkPlaces() const {
+  const Vec3& pixel = *slices_.front().place().pixelSpacing;
+  double shift = 0;
+  for (const auto& group : groups_)
+    for (const DicomSlice& s : group) {
+      const Vec3 d = *s.place().position - *group.front().place().position;
+      shift = std::max(shift, std::hypot(d.dot(row_), d.dot(column_)));
+    }
+  if (shift > kLargestShift * std::min(pixel.x(), pixel.y()))
+    refuseInput(path_, {FindingKind::slicesShifted, {{"shift_mm", shift}}});
 }
 
 void Stacking::leaveOutCopies() {
@@ -222,6 +237,7 @@ void Stacking::makeEven(UnevenSlices uneven) {
 
 DicomStack Stacking::build(UnevenSlices uneven) {
   groupByPlace();
+  checkPlaces();
   leaveOutCopies();
   separateTimes();
   findPlaces();

@@ -57,7 +57,7 @@ using SamePixels = std::function<bool(const DicomSlice&, const DicomSlice&)>;
 //! temporal position, acquisition, time (where all slices have one) and number. A tilted stack gets a
 //! straight grid that holds all of it, an uneven one the median distance or the smallest above half of it;
 //! warnings say so. Throws InputError (which begins with `path`) for less than two slices, missing geometry,
-//! slices of different size or direction, and time points that are not complete.
+//! slices of different size or direction, and time points that are not complete or do not lie in one place.
 DicomStack stackSlices(std::vector<DicomSlice> slices, const std::string& path, UnevenSlices uneven,
                        const SamePixels& same);
 

@@ -67,7 +67,15 @@ auto orderMade(const DicomSlice& s) {
   return std::tuple(s.file->acquisitionNumber, s.place().stack, s.file->instanceNumber, s.frame);
 }
 
-bool isCopy(const DicomSlice& a, const DicomSlice& b) { return a.file != b.file && sameImage(a, b); }
+bool liesBeside(const DicomPlace& a, const DicomPlace& b) {
+  const double pixel = std::min(a.pixelSpacing->x(), a.pixelSpacing->y());
+  return (*a.position - *b.position).norm() > kLargestShift * pixel;
+}
+
+//! Of one place along the normal.
+bool isCopy(const DicomSlice& a, const DicomSlice& b) {
+  return a.file != b.file && !liesBeside(a.place(), b.place()) && sameImage(a, b);
+}
 
 //! Slices of one plane cut where their distance changes.
 class Runs {

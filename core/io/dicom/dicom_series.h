@@ -22,9 +22,9 @@ struct DicomSeries {
 
 //! By UID, then in the order in which the stacks were made. Stacks are told apart by image size, colour,
 //! orientation, pixel spacing, and, where the slices together are neither evenly spaced nor whole time
-//! points, by acquisition and pitch. Stacks of different pitch one behind the other are one volume, too (it
-//! comes first, its stacks are `part`), those that overlap are not. Files with several frames that do not say
-//! where they lie stand alone.
+//! points in one place, by acquisition and pitch. Stacks of different pitch one behind the other are one
+//! volume, too (it comes first, its stacks are `part`), those that overlap are not. Files with several frames
+//! that do not say where they lie stand alone.
 std::vector<DicomSeries> seriesOf(DicomScan& scan);
 
 //! True if two slices hold the same bytes of pixels, and the header does not put them at different times.
