@@ -304,6 +304,30 @@ TEST_CASE("voxels of a NIfTI that are not a number are no zeros, and infinite on
   expectInputError(folder / "inf.nii", "is infinite", true);
 }
 
+TEST_CASE("a voxel size of a NIfTI that is 0 is assumed, and one that is not a number is refused") {
+  const TemporaryFolder folder;
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / "v.nii");
+  std::string bytes = readBytes(folder / "v.nii");
+  patch(bytes, 252, static_cast<std::int16_t>(GENERATE(1, 0)));  // by its qform, or by the voxel sizes alone
+  patch(bytes, 254, std::int16_t{0});
+  writeBytes(folder / "sound.nii", bytes);
+  CHECK(inspectVolume(folder / "sound.nii").calibrated);
+  patch(bytes, 76 + 4 * 3, 0.0F);
+  for (const bool inMetres : {false, true}) {
+    bytes[123] = inMetres ? 1 : 2;
+    writeBytes(folder / "zero.nii", bytes);
+    const VolumeInfo info = inspectVolume(folder / "zero.nii");
+    CHECK_FALSE(info.calibrated);
+    CHECK((info.grid.spacing - Vec3(inMetres ? 500 : 0.5, inMetres ? 1250 : 1.25, 1)).norm() < 1e-3);
+    CHECK(info.sources.spacing[1] == "pixdim");
+    CHECK(info.sources.spacing[2] == "assumed");
+    expectAmong(info, FindingKind::uncalibrated, sentence(FindingKind::uncalibrated));
+  }
+  patch(bytes, 76 + 4 * 3, std::numeric_limits<float>::quiet_NaN());
+  writeBytes(folder / "nan.nii", bytes);
+  expectInputError(folder / "nan.nii", sentence(FindingKind::badSpacing));
+}
+
 TEST_CASE("an NRRD in left-anterior-superior axes lies where it says") {
   const TemporaryFolder folder;
   writeBytes(folder / "v.nrrd", nrrdOf("2 2 2",

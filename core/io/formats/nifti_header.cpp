@@ -78,14 +78,15 @@ Eigen::Matrix3d rotationOf(const NiftiHeader& h) {
   return r;
 }
 
-//! A voxel size of 0 or below means 1 in the standard's own library.
-Vec3 voxelSize(const NiftiHeader& h) {
-  Vec3 size;
+//! A voxel size of 0 means 1 in the standard's own library, one below 0 its amount; here the former is no
+//! size that the file gives. One that is not a number is refused with the header.
+void setVoxelSize(const NiftiHeader& h, VolumeHeader& header) {
   for (int a = 0; a < 3; ++a) {
     const double d = std::abs(h.pixdim[a + 1]);
-    size[a] = d > 0 ? d : 1;
+    header.grid.spacing[a] = d == 0 ? 1 : d;
+    header.sources.spacing[a] = d == 0 ? "assumed" : "pixdim";
+    header.calibrated = header.calibrated && d != 0;
   }
-  return size;
 }
 
 Vec3 toLps(const Vec3& ras) { return {-ras.x(), -ras.y(), ras.z()}; }
@@ -93,9 +94,9 @@ Vec3 toLps(const Vec3& ras) { return {-ras.x(), -ras.y(), ras.z()}; }
 void useQform(const NiftiHeader& h, VolumeHeader& header) {
   const Eigen::Matrix3d r = rotationOf(h);
   for (int a = 0; a < 3; ++a) header.grid.direction.col(a) = toLps(r.col(a));
-  header.grid.spacing = voxelSize(h);
   header.grid.origin = toLps(Vec3(h.offset[0], h.offset[1], h.offset[2]));
-  header.sources = {"dim", {"pixdim", "pixdim", "pixdim"}, "qoffset (qform)", "quatern (qform)"};
+  header.sources = {"dim", {}, "qoffset (qform)", "quatern (qform)"};
+  setVoxelSize(h, header);
 }
 
 void useSform(const NiftiHeader& h, VolumeHeader& header, const std::string& path) {
@@ -133,7 +134,8 @@ void setUnit(const NiftiHeader& h, VolumeHeader& header) {
   const int unit = h.units & 7;
   if (unit != 1 && unit != 3) return;
   const double factor = unit == 1 ? 1000 : 0.001;
-  header.grid.spacing *= factor;
+  for (int a = 0; a < 3; ++a)
+    if (header.sources.spacing[a] != "assumed") header.grid.spacing[a] *= factor;
   header.grid.origin *= factor;
   header.warnings.push_back(unit == 1 ? FindingKind::lengthsInMetres : FindingKind::lengthsInMicrometres);
 }
@@ -172,9 +174,9 @@ void setNiftiGeometry(const NiftiHeader& nifti, VolumeHeader& header, const std:
   } else if (nifti.sform > 0) {
     useSform(nifti, header, path);
   } else {
-    header.grid.spacing = voxelSize(nifti);
     header.grid.direction.diagonal() = Vec3(-1, -1, 1);
-    header.sources = {"dim", {"pixdim", "pixdim", "pixdim"}, "assumed", "assumed (RAS axes)"};
+    header.sources = {"dim", {}, "assumed", "assumed (RAS axes)"};
+    setVoxelSize(nifti, header);
     header.warnings.push_back(FindingKind::placeUnknown);
   }
   const bool hasBoth = nifti.qform > 0 && nifti.sform > 0;
