@@ -124,6 +124,47 @@ TEST_CASE("slices in which nothing moves are no copies of those of another time"
   for (int k = 0; k < 5; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == (k == 0 || k == 4 ? k : k + 100));
 }
 
+TEST_CASE("slices that are alike in several time points are no copies, though the header has no times") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices;
+  for (int t = 0; t < 3; ++t)
+    for (Slice s : evenStack(5)) {  // blank ones at both ends
+      s.value = static_cast<std::int16_t>(s.value == 0 || s.value == 4 ? 0 : s.value + 50 * t);
+      s.number = static_cast<int>(slices.size()) + 1;
+      slices.push_back(s);
+    }
+  writeSeries(folder / "blank", slices);
+  const VolumeInfo info = inspectVolume(folder / "blank", {.frame = 2});
+  CHECK(info.frames == 3);
+  CHECK(info.series.size() == 1);
+  CHECK(info.warnings.empty());
+  const Volume volume = readVolume(folder / "blank", {.frame = 2});
+  for (int k = 0; k < 5; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == (k == 0 || k == 4 ? 0 : k + 100));
+  // A file that is there twice is a copy all the same.
+  for (std::size_t i = 0; i < slices.size(); ++i) slices[i].instance = "1.2." + std::to_string(i);
+  slices.push_back(slices[7]);
+  writeSeries(folder / "twice", slices);
+  const VolumeInfo twice = inspectVolume(folder / "twice", {.frame = 2});
+  CHECK(twice.frames == 3);
+  expectWarning(twice, FindingKind::sliceIsCopy, "1 slice is a copy of another and was left out.");
+}
+
+TEST_CASE("slices of the same pixels that are scaled differently are no copies") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices;
+  for (const char* slope : {"1", "3"})
+    for (Slice s : evenStack(4)) {
+      s.slope = slope;
+      s.number = static_cast<int>(slices.size()) + 1;
+      slices.push_back(s);
+    }
+  writeSeries(folder.path(), slices);
+  REQUIRE(inspectVolume(folder.path()).frames == 2);
+  REQUIRE(inspectVolume(folder.path()).type == VoxelType::int32);
+  CHECK(readVolume(folder.path(), {.frame = 0}).data<std::int32_t>()[12 * 2] == 2);
+  CHECK(readVolume(folder.path(), {.frame = 1}).data<std::int32_t>()[12 * 2] == 6);
+}
+
 TEST_CASE("several different slices in every place are time points; incomplete ones are refused") {
   const TemporaryFolder folder;
   std::vector<Slice> slices = evenStack(4);

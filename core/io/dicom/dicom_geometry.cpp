@@ -38,6 +38,9 @@ class Stacking {
   double along(const DicomSlice& s) const { return s.place().position->dot(normal_); }
   void groupByPlace();
   void checkPlaces() const;
+  bool areEquallyMany() const;
+  template <typename IsCopy>
+  int leaveOut(const IsCopy& isCopy);
   void leaveOutCopies();
   void separateTimes();
   void findPlaces();
@@ -95,29 +98,46 @@ void Stacking::checkPlaces() const {
     refuseInput(path_, {FindingKind::slicesShifted, {{"shift_mm", shift}}});
 }
 
-void Stacking::leaveOutCopies() {
+bool Stacking::areEquallyMany() const {
+  return std::all_of(groups_.begin(), groups_.end(),
+                     [&](const auto& group) { return group.size() == groups_.front().size(); });
+}
+
+//! Returns how many slices were left out since they are a copy of the one before them.
+template <typename IsCopy>
+int Stacking::leaveOut(const IsCopy& isCopy) {
   int copies = 0;
   for (auto& group : groups_) {
     std::vector<DicomSlice> kept;
-    for (const DicomSlice& s : group) {
-      const bool copy = !kept.empty() && s.file != kept.back().file &&
-                        (same_(kept.back(), s) || (!s.file->instanceUid.empty() &&
-                                                   s.file->instanceUid == kept.back().file->instanceUid));
-      if (copy)
+    for (const DicomSlice& s : group)
+      if (!kept.empty() && s.file != kept.back().file && isCopy(kept.back(), s))
         ++copies;
       else
         kept.push_back(s);
-    }
     group = std::move(kept);
   }
+  return copies;
+}
+
+void Stacking::leaveOutCopies() {
+  int copies = leaveOut([](const DicomSlice& a, const DicomSlice& b) {
+    return !b.file->instanceUid.empty() && b.file->instanceUid == a.file->instanceUid;
+  });
+  // Pixels may be alike at all times, as in slices beside the body: these are no copies if others are then
+  // missing in their place.
+  const auto before = groups_;
+  const int alike = leaveOut(same_);
+  if (areEquallyMany())
+    copies += alike;
+  else
+    groups_ = before;
   if (copies == 1) stack_.warnings.push_back(FindingKind::sliceIsCopy);
   if (copies > 1) stack_.warnings.push_back({FindingKind::slicesAreCopies, {{"copies", copies}}});
 }
 
 void Stacking::separateTimes() {
   const std::size_t times = groups_.front().size();
-  for (const auto& group : groups_)
-    if (group.size() != times) refuseInput(path_, FindingKind::slicesIncomplete);
+  if (!areEquallyMany()) refuseInput(path_, FindingKind::slicesIncomplete);
   if (groups_.size() < 2)
     refuseInput(path_, times > 1 ? FindingKind::slicesInOnePlace : FindingKind::singleSlice);
   stack_.frames = static_cast<int>(times);

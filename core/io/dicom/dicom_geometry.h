@@ -49,15 +49,16 @@ inline constexpr double kLargestSliceOffset = 0.1;
 //! passes this within a few slices, rounded direction cosines do not.
 inline constexpr double kLargestShift = 0.25;
 
-//! True if two slices hold the same pixels.
+//! True if two slices hold the same intensities.
 using SamePixels = std::function<bool(const DicomSlice&, const DicomSlice&)>;
 
 //! Sorts the slices along their normal and finds their grid (right-handed: row × column is the third axis).
-//! Copies of a slice are left out; several slices in every place are time points, in the order of their
-//! temporal position, acquisition, time (where all slices have one) and number. A tilted stack gets a
-//! straight grid that holds all of it, an uneven one the median distance or the smallest above half of it;
-//! warnings say so. Throws InputError (which begins with `path`) for less than two slices, missing geometry,
-//! slices of different size or direction, and time points that are not complete or do not lie in one place.
+//! Copies of a slice are left out (by equal pixels if equally many are left in every place); several slices
+//! in every place are time points, in the order of their temporal position, acquisition, time (where all
+//! slices have one) and number. A tilted stack gets a straight grid that holds all of it, an uneven one the
+//! median distance or the smallest above half of it; warnings say so. Throws InputError (which begins with
+//! `path`) for less than two slices, missing geometry, slices of different size or direction, and time points
+//! that are not complete or do not lie in one place.
 DicomStack stackSlices(std::vector<DicomSlice> slices, const std::string& path, UnevenSlices uneven,
                        const SamePixels& same);
 

@@ -233,7 +233,9 @@ std::vector<DicomSeries> stacksOf(const std::string& uid, const Slices& all, Dic
 }  // namespace
 
 bool sameImage(const DicomSlice& a, const DicomSlice& b) {
-  if (a.place().time != b.place().time || a.place().milliseconds != b.place().milliseconds) return false;
+  const DicomPlace &pa = a.place(), &pb = b.place();
+  if (pa.time != pb.time || pa.milliseconds != pb.milliseconds) return false;
+  if (pa.slope != pb.slope || pa.intercept != pb.intercept) return false;
   const DicomStructure &sa = a.file->structure, &sb = b.file->structure;
   const std::uint64_t bytes = sa.pixelEnd - sa.pixelOffset;
   if (sa.pixelOffset == 0 || sb.pixelOffset == 0 || bytes != sb.pixelEnd - sb.pixelOffset) return false;

@@ -27,7 +27,8 @@ struct DicomSeries {
 //! that do not say where they lie stand alone.
 std::vector<DicomSeries> seriesOf(DicomScan& scan);
 
-//! True if two slices hold the same bytes of pixels, and the header does not put them at different times.
+//! True if two slices hold the same bytes of pixels, and the header neither puts them at different times nor
+//! scales them differently.
 bool sameImage(const DicomSlice& a, const DicomSlice& b);
 
 }  // namespace handlebody
