@@ -454,6 +454,7 @@ enum class FindingKind {
   patientPlaceAssumed,
   placeInUltrasound,
   lowIsBright,
+  slopeIsZero,
   breaksOffAfterOne,  //!< frames
   breaksOff,          //!< frames, whole
   fileWithoutImage,

@@ -96,6 +96,9 @@ constexpr FindingWords kWords[] = {
          "taken as LPS.")},
     {K::lowIsBright, "low-is-bright",
      QT_TRANSLATE_NOOP("Findings", "MONOCHROME1: low values are bright on a display.")},
+    {K::slopeIsZero, "slope-is-zero",
+     QT_TRANSLATE_NOOP(
+         "Findings", "The header scales voxels by 0, which would make them all alike; 1 is taken instead.")},
     {K::breaksOffAfterOne, "breaks-off-after-one",
      QT_TRANSLATE_NOOP("Findings",
                        "The file breaks off: its header declares {frames:0f} time points, and only the first "

@@ -1696,6 +1696,10 @@
         <translation>MONOCHROME1: Niedrige Werte sind auf einer Anzeige hell.</translation>
     </message>
     <message>
+        <source>The header scales voxels by 0, which would make them all alike; 1 is taken instead.</source>
+        <translation>Der Header skaliert die Voxel mit 0, was sie alle gleich machen würde; stattdessen wird 1 genommen.</translation>
+    </message>
+    <message>
         <source>it holds several series or stacks, choose one in step 1, Open</source>
         <translation>darin sind mehrere Serien oder Stapel, wählen Sie in Schritt 1, Öffnen</translation>
     </message>

@@ -1696,6 +1696,10 @@
         <translation>MONOCHROME1: los valores bajos se ven claros en pantalla.</translation>
     </message>
     <message>
+        <source>The header scales voxels by 0, which would make them all alike; 1 is taken instead.</source>
+        <translation>La cabecera escala los vóxeles por 0, lo que los haría todos iguales; se toma 1 en su lugar.</translation>
+    </message>
+    <message>
         <source>it holds several series or stacks, choose one in step 1, Open</source>
         <translation>contiene varias series o pilas, elija una en el paso 1, Abrir</translation>
     </message>

@@ -1696,6 +1696,10 @@
         <translation>MONOCHROME1 : les valeurs basses sont claires à l’affichage.</translation>
     </message>
     <message>
+        <source>The header scales voxels by 0, which would make them all alike; 1 is taken instead.</source>
+        <translation>L’en-tête met les voxels à l’échelle par 0, ce qui les rendrait tous égaux ; 1 est pris à la place.</translation>
+    </message>
+    <message>
         <source>it holds several series or stacks, choose one in step 1, Open</source>
         <translation>il contient plusieurs séries ou piles, choisissez-en une à l’étape 1, Ouvrir</translation>
     </message>

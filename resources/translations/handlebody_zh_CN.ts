@@ -1696,6 +1696,10 @@
         <translation>MONOCHROME1：低值在显示时为亮。</translation>
     </message>
     <message>
+        <source>The header scales voxels by 0, which would make them all alike; 1 is taken instead.</source>
+        <translation>文件头将体素乘以 0，这会使所有体素相同；改用 1。</translation>
+    </message>
+    <message>
         <source>it holds several series or stacks, choose one in step 1, Open</source>
         <translation>其中有多个序列或堆栈，请在第 1 步“打开”中选择一个</translation>
     </message>

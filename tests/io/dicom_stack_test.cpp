@@ -165,6 +165,18 @@ TEST_CASE("slices of the same pixels that are scaled differently are no copies")
   CHECK(readVolume(folder.path(), {.frame = 1}).data<std::int32_t>()[12 * 2] == 6);
 }
 
+TEST_CASE("a scale of 0 is taken as 1, with a warning") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices = evenStack(4);
+  for (Slice& s : slices) s.slope = "0", s.intercept = "-10";
+  writeSeries(folder.path(), slices);
+  expectWarning(inspectVolume(folder.path()), FindingKind::slopeIsZero,
+                "The header scales voxels by 0, which would make them all alike; 1 is taken instead.");
+  const Volume volume = readVolume(folder.path());
+  REQUIRE(volume.type == VoxelType::int32);  // 16 bits and the intercept
+  for (int k = 0; k < 4; ++k) CHECK(volume.data<std::int32_t>()[12 * k] == k - 10);
+}
+
 TEST_CASE("several different slices in every place are time points; incomplete ones are refused") {
   const TemporaryFolder folder;
   std::vector<Slice> slices = evenStack(4);

@@ -208,6 +208,15 @@ void readDoseOffsets(const DataSet& data, const DicomPlace& plain, DicomFile& f)
   f.positionSource = "ImagePositionPatient (0020,0032) and GridFrameOffsetVector (3004,000C)";
 }
 
+//! Every value would become the intercept; other programs take 1, too.
+void replaceZeroSlopes(DicomFile& f) {
+  for (DicomPlace& place : f.places) {
+    if (place.slope != 0) continue;
+    place.slope = 1;
+    f.slopeWasZero = true;
+  }
+}
+
 //! The largest region of an ultrasound image that is measured in centimetres gives the pixel spacing.
 void readUltrasoundRegions(const DataSet& data, DicomFile& f) {
   constexpr int kCentimetres = 3;
@@ -266,6 +275,7 @@ DicomFile fileOf(const gdcm::File& read, const std::string& file) {
   f.distanceSource = "SpacingBetweenSlices (0018,0088)";
   readFunctionalGroups(data, plain, f);
   readDoseOffsets(data, plain, f);
+  replaceZeroSlopes(f);
   if (!f.places.front().pixelSpacing) readUltrasoundRegions(data, f);
   readCartesianEcho(data, f);
   f.cine = isCine(data, f);

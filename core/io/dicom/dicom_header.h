@@ -45,6 +45,7 @@ struct DicomFile {
   bool ownFrameOfReference = false;       //!< positions are in the frame of the ultrasound volume
   std::vector<DicomPlace> places{};       //!< one per frame
   bool placed = false;                    //!< the header says where every frame lies
+  bool slopeWasZero = false;              //!< of a frame; it is 1 there
   std::string spacingSource{}, positionSource{}, orientationSource{}, distanceSource{}, timeSource{};
   CartesianEcho echo{};
   DicomStructure structure{};

@@ -129,6 +129,9 @@ void StackSource::describe(const Assumed& assumed) {
   warn(f.echo.slices > 0, FindingKind::patientPlaceAssumed);
   warn(f.ownFrameOfReference && f.echo.slices == 0, FindingKind::placeInUltrasound);
   warn(isColour(f), FindingKind::colourAsLuminance);
+  warn(!isColour(f) && std::any_of(series_.files.begin(), series_.files.end(),
+                                   [](const DicomFile* file) { return file->slopeWasZero; }),
+       FindingKind::slopeIsZero);
   warn(f.photometric == "MONOCHROME1", FindingKind::lowIsBright);
 }
 
