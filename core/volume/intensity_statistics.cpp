@@ -4,7 +4,11 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
+#include <utility>
+
+#include "core/volume/not_a_number.h"
 
 namespace handlebody {
 
@@ -47,28 +51,39 @@ std::vector<double> percentilesByCounting(std::span<const T> voxels, std::span<c
 }
 
 template <typename T>
-std::vector<double> percentilesBySelection(std::span<const T> voxels, std::span<const double> percents) {
-  std::vector<T> copy(voxels.begin(), voxels.end());
+std::vector<double> percentilesBySelection(std::vector<T> values, std::span<const double> percents) {
   std::vector<double> result;
   for (double percent : percents)
-    result.push_back(static_cast<double>(valueAtRank(copy, rankOf(percent, copy.size()))));
+    result.push_back(static_cast<double>(valueAtRank(values, rankOf(percent, values.size()))));
   return result;
+}
+
+//! But for the percentiles.
+template <typename T>
+IntensityStatistics rangeAndMean(std::span<const T> values) {
+  IntensityStatistics s;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  s.minimum = static_cast<double>(*low);
+  s.maximum = static_cast<double>(*high);
+  double sum = 0;
+  for (T v : values) sum += static_cast<double>(v);
+  s.mean = sum / static_cast<double>(values.size());
+  return s;
 }
 
 template <typename T>
 IntensityStatistics statisticsOf(std::span<const T> voxels, std::span<const double> percents) {
-  IntensityStatistics s;
-  const auto [low, high] = std::minmax_element(voxels.begin(), voxels.end());
-  s.minimum = static_cast<double>(*low);
-  s.maximum = static_cast<double>(*high);
-  double sum = 0;
-  for (T v : voxels) sum += static_cast<double>(v);
-  s.mean = sum / static_cast<double>(voxels.size());
-  if constexpr (std::is_integral_v<T> && sizeof(T) <= 2)
+  if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
+    IntensityStatistics s = rangeAndMean(voxels);
     s.percentiles = percentilesByCounting(voxels, percents);
-  else
-    s.percentiles = percentilesBySelection(voxels, percents);
-  return s;
+    return s;
+  } else {
+    std::vector<T> values(voxels.begin(), voxels.end());
+    if (const std::optional<T> none = notANumberIn(voxels.data(), voxels.size())) std::erase(values, *none);
+    IntensityStatistics s = rangeAndMean(std::span<const T>(values));
+    s.percentiles = percentilesBySelection(std::move(values), percents);
+    return s;
+  }
 }
 
 }  // namespace
