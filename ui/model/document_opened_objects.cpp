@@ -16,7 +16,7 @@ void Document::openObjects(const ObjectsToOpen& asked) {
   cancelOpeningObjects();
   const StopFlag flag = d_->openingObjects.begin();
   Q_EMIT openingObjects(asked.path);
-  d_->files.post([this, asked, grid = volume().grid, stop = flag, opening = d_->opening.number()] {
+  d_->files.post([this, asked, grid = volume().grid, stop = flag, known = d_->hash] {
     auto opened = std::make_shared<std::vector<OpenedObject>>();
     QString failed;
     try {
@@ -28,8 +28,8 @@ void Document::openObjects(const ObjectsToOpen& asked) {
     }
     QMetaObject::invokeMethod(
         this,
-        [this, asked, opened, failed, stop, opening] {
-          if (*stop || opening != d_->opening.number())
+        [this, asked, opened, failed, stop, known] {
+          if (*stop || known != d_->hash)  // they were meant for what was open
             Q_EMIT openingObjectsCancelled();
           else if (!failed.isEmpty())
             Q_EMIT openingObjectsFailed(failed);

@@ -443,20 +443,19 @@ void Document::Private::saveSession(const QString& path) {
   }
   std::vector<int> iterations;
   for (const auto& object : objects) iterations.push_back(object->growth().iteration());
-  files.post([this, path, made = sessions(), known = hash, edit = undo.index(), iterations,
-              number = opening.number()]() mutable {
+  files.post([this, path, made = sessions(), known = hash, edit = undo.index(), iterations]() mutable {
     const QString failed = sentenceOf([&] {
       for (Session& session : made) complete(session, *known);
       writeSessions(made, fileName(path));
     });
     QMetaObject::invokeMethod(
         &q,
-        [this, path, failed, edit, iterations, number] {
+        [this, path, failed, edit, iterations, known] {
           if (!failed.isEmpty()) {
             Q_EMIT q.saveFailed(failed);
             return;
           }
-          if (number == opening.number()) saved(path, edit, iterations);  // else other work is open by now
+          if (known == hash) saved(path, edit, iterations);  // else other work is open by now
           Q_EMIT q.sessionSaved(path);
         },
         Qt::QueuedConnection);

@@ -152,7 +152,9 @@ class Document::Private : public ObjectHost {
 
   // What is open, and where it is saved.
   std::optional<OpenedWork> work;
-  std::shared_ptr<std::string> hash;  // of the volume; used by jobs of the files' thread alone
+  // Of the volume; read and written by jobs of the files' thread alone. Each work has one of its own, from
+  // the moment at which it takes the place of what was open: jobs tell by it whether theirs is open still.
+  std::shared_ptr<std::string> hash;
   QString sessionPath;
   QByteArray view;
   bool wasModified = false;

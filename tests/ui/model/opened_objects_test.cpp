@@ -333,6 +333,26 @@ TEST_CASE("what is no object of this volume is refused in a sentence, and nothin
   }
 }
 
+TEST_CASE("objects go into the volume that they were opened for, or nowhere", "[objects][opened]") {
+  OpeningWork work;
+  const QString ball = work.ball();
+  const TorusFile other;
+  SECTION("not into one that is read meanwhile") {
+    work.document.open(other.path);
+    CHECK_FALSE(work.open(ball, OpenAs::done));
+    CHECK(work.wasCancelled);
+    CHECK(work.document.path() == other.path);
+    CHECK(work.document.objectCount() == 1);
+  }
+  SECTION("also if another one cannot be read") {
+    work.document.openObjects({ball, OpenAs::done});
+    work.document.open(work.torus.file("missing.mha"));
+    CHECK(waitFor([&] { return !work.opened.isEmpty() || work.wasCancelled; }));
+    CHECK_FALSE(work.wasCancelled);
+    CHECK(work.document.objectCount() == 2);
+  }
+}
+
 TEST_CASE("of a label map only the labels that are chosen become objects", "[objects][opened]") {
   OpeningWork work;
   Document& document = work.document;

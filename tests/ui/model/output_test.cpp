@@ -300,6 +300,31 @@ TEST_CASE("a session whose volume has changed is refused", "[document]") {
   CHECK(sentence.contains(QStringLiteral("SHA-256")));
 }
 
+TEST_CASE("a session that is saved while another file is read is not where that is saved again",
+          "[document]") {
+  GrownWork work;
+  const TorusFile other;
+  const QString session = work.torus.file("session.json");
+  work.document.open(other.path);
+  CHECK(work.saveTo(session));
+  REQUIRE(waitFor([&] { return work.document.path() == other.path; }));
+  CHECK(work.document.sessionPath().isEmpty());
+  CHECK_FALSE(work.document.isModified());
+}
+
+TEST_CASE("a session is saved where another file that is read meanwhile cannot be opened", "[document]") {
+  GrownWork work;
+  const QString session = work.torus.file("session.json");
+  int failed = 0;
+  QObject::connect(&work.document, &Document::openFailed, [&] { ++failed; });
+  work.document.saveSession(session);
+  work.document.open(work.torus.file("missing.mha"));
+  CHECK(work.isWritten(session));
+  CHECK(waitFor([&] { return failed == 1; }));
+  CHECK(work.document.sessionPath() == session);
+  CHECK_FALSE(work.document.isModified());
+}
+
 TEST_CASE("a session without a seed is not saved, and it is said why", "[document]") {
   GrownWork work;
   work.document.removeSeed(0);
