@@ -443,7 +443,7 @@ void Document::Private::saveSession(const QString& path) {
   }
   std::vector<int> iterations;
   for (const auto& object : objects) iterations.push_back(object->growth().iteration());
-  files.post([this, path, made = sessions(), known = hash, edit = undo.index(), iterations]() mutable {
+  files.post([this, path, made = sessions(), known = hash, edit = edits, iterations]() mutable {
     const QString failed = sentenceOf([&] {
       for (Session& session : made) complete(session, *known);
       writeSessions(made, fileName(path));
@@ -466,7 +466,10 @@ void Document::Private::saved(const QString& path, int edit, const std::vector<i
   sessionPath = path;
   if (objects.size() == iterations.size())  // else one was added or deleted meanwhile, which is not saved
     for (std::size_t i = 0; i < iterations.size(); ++i) objects[i]->setSavedIteration(iterations[i]);
-  if (edit == undo.index()) undo.setClean();
+  if (edit == edits)
+    undo.setClean();
+  else
+    undo.resetClean();  // what was clean before is not in the file either
   updateModified();
 }
 

@@ -165,6 +165,7 @@ class Document::Private : public ObjectHost {
   // What is edited, and how that is undone.
   ObjectSet objects;
   QUndoStack undo;
+  int edits = 0;  // changes of what is undone; its place in the list may be the same after other ones
   Measurements measurements{undo};
 
   // Over time.

@@ -3,6 +3,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <functional>
 
 #include "core/collision/certify.h"
 #include "core/io/report/session.h"
@@ -323,6 +324,44 @@ TEST_CASE("a session is saved where another file that is read meanwhile cannot b
   CHECK(waitFor([&] { return failed == 1; }));
   CHECK(work.document.sessionPath() == session);
   CHECK_FALSE(work.document.isModified());
+}
+
+TEST_CASE("what is changed while a session is written is not saved", "[document]") {
+  GrownWork work;
+  Document& document = work.document;
+  const QString session = work.torus.file("session.json");
+  const auto saveDuring = [&](const std::function<void()>& change) {
+    document.saveSession(session);
+    change();
+    return work.isWritten(session);
+  };
+  const auto radius = [&](double r, int gesture = -1) { document.setSeedRadius(0, r, gesture); };
+  SECTION("nothing is") {
+    CHECK(saveDuring([] {}));
+    CHECK_FALSE(document.isModified());
+  }
+  SECTION("one change is undone and another one made") {
+    CHECK(saveDuring([&] {
+      document.undoStack()->undo();
+      document.addSeed({testing::kMiddle, 2.0});
+    }));
+    CHECK(document.isModified());
+  }
+  SECTION("a drag goes on") {
+    radius(3.5, 7);
+    CHECK(saveDuring([&] { radius(3.6, 7); }));
+    CHECK(document.undoStack()->count() == 2);
+    CHECK(document.isModified());
+  }
+  SECTION("and what was saved before is not what the file holds") {
+    REQUIRE(saveDuring([] {}));
+    work.written.clear();
+    radius(3.5);
+    CHECK(saveDuring([&] { radius(3.6); }));
+    document.undoStack()->undo();
+    document.undoStack()->undo();
+    CHECK(document.isModified());
+  }
 }
 
 TEST_CASE("a session without a seed is not saved, and it is said why", "[document]") {

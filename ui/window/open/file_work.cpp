@@ -10,6 +10,7 @@
 #include <QProgressDialog>
 #include <QSaveFile>
 #include <QSettings>
+#include <QUndoStack>
 #include <QWidget>
 #include <algorithm>
 #include <utility>
@@ -314,7 +315,8 @@ void FileWork::whenSaved(std::function<void()> next) {
   question.setDefaultButton(QMessageBox::Save);
   switch (question.exec()) {
     case QMessageBox::Save:
-      next_ = std::move(next);
+      // What is changed until it is written is asked about, too; how far the growth has got by then is not.
+      next_ = [this, next = std::move(next)] { document_.undoStack()->isClean() ? next() : whenSaved(next); };
       return save();
     case QMessageBox::Discard:
       return next();
@@ -340,13 +342,14 @@ void FileWork::closeWhenWritten() {
                  {{tr("Stay open"), [this] { closesWhenWritten_ = false; }}});
 }
 
-// The answer "save" ends in another close() when the session is written; by then nothing is unsaved.
+// The answer ends in another close(), which asks no more. A later one does.
 bool FileWork::mayClose() {
+  const bool isAnswered = std::exchange(closing_, false);
   if (writing_ > 0) {
     closeWhenWritten();
     return false;
   }
-  if (closing_ || !document_.hasVolume() || !document_.isModified()) return true;
+  if (isAnswered || !document_.hasVolume() || !document_.isModified()) return true;
   whenSaved([this] {
     closing_ = true;
     closeWindow();

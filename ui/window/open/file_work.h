@@ -114,7 +114,7 @@ class FileWork : public QObject {
   QString restored_;                //!< the journal that was to be restored last
   int writing_ = 0;                 //!< files, or sets of them, that are not there yet
   bool closesWhenWritten_ = false;
-  bool closing_ = false;
+  bool closing_ = false;  //!< the next close() needs no answer any more
 };
 
 }  // namespace handlebody::ui
