@@ -131,8 +131,17 @@ class Document : public QObject {
   //! that fails. A folder of several series without a choice in `selection` ends in seriesChoiceNeeded(), an
   //! anonymous session in fileNeeded() until `files` has all that it was asked for, in that order.
   void open(const QString& path, const VolumeSelection& selection = {}, const QStringList& files = {});
+  //! openingCancelled(), if anything was being opened.
   void cancelOpening();
   bool isOpening() const;
+  //! What has been read waits then, told by openingWaits(), until finishOpening() or cancelOpening(): for who
+  //! has to ask about the work that is open. False at first: it takes the place of that at once.
+  void setOpeningWaits(bool on);
+  bool isOpeningWaiting() const;
+  //! What has been read and waits takes the place of what is open; nothing if there is none.
+  void finishOpening();
+  //! Something is unsaved that came after open().
+  bool isChangedSinceOpen() const;
   bool hasVolume() const;
   //! Of several time points the shown one. Precondition: hasVolume()
   const Volume& volume() const;
@@ -381,6 +390,8 @@ class Document : public QObject {
 
  Q_SIGNALS:
   void opening(const QString& path, double progress);  //!< 0 … 1, negative: unknown
+  void openingWaits();
+  void openingCancelled();
   void opened();
   void openFailed(const QString& sentence, bool needsSpacing);  //!< the second as in OpeningFailed
   void openingObjects(const QString& path);

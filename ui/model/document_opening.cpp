@@ -12,7 +12,9 @@ void Document::open(const QString& path, const VolumeSelection& selection, const
 
 void Document::Private::open(const OpeningRequest& asked) {
   const QString path = asked.path;
-  opening.cancel();
+  dropOpening();
+  editsAtOpen = edits;
+  wasModifiedAtOpen = wasModified;
   const StopFlag flag = opening.begin();
   time.store().rest();
   const int number = opening.number();
@@ -36,10 +38,13 @@ void Document::Private::open(const OpeningRequest& asked) {
 
 void Document::Private::finishOpening(int number, const QString& path, OpeningResult result) {
   if (!opening.isAwaited(number)) return;  // cancelled, or a newer one is under way
-  opening.end();
   if (auto* opened = std::get_if<OpenedWork>(&result)) {
-    adopt(path, std::move(*opened));
-  } else if (const auto* choice = std::get_if<SeriesChoice>(&result)) {
+    read = ReadWork{path, std::move(*opened)};
+    openingWaits ? Q_EMIT q.openingWaits() : q.finishOpening();
+    return;
+  }
+  opening.end();
+  if (const auto* choice = std::get_if<SeriesChoice>(&result)) {
     Q_EMIT q.seriesChoiceNeeded(path, choice->series);
   } else if (const auto* needed = std::get_if<FileNeeded>(&result)) {
     Q_EMIT q.fileNeeded(path, needed->missing, needed->refused, needed->taken);
@@ -49,7 +54,32 @@ void Document::Private::finishOpening(int number, const QString& path, OpeningRe
   }
 }
 
-void Document::cancelOpening() { d_->opening.cancel(); }
+void Document::finishOpening() {
+  if (!d_->read) return;
+  ReadWork read = std::move(*d_->read);
+  d_->read.reset();
+  d_->opening.end();
+  d_->adopt(read.path, std::move(read.work));
+}
+
+void Document::Private::dropOpening() {
+  opening.cancel();
+  read.reset();
+}
+
+void Document::cancelOpening() {
+  const bool wasOpening = isOpening();
+  d_->dropOpening();
+  if (wasOpening) Q_EMIT openingCancelled();
+}
+
+void Document::setOpeningWaits(bool on) { d_->openingWaits = on; }
+bool Document::isOpeningWaiting() const { return d_->read.has_value(); }
+
+// What was unsaved before has been asked about when it was opened.
+bool Document::isChangedSinceOpen() const {
+  return isModified() && (!d_->wasModifiedAtOpen || d_->edits != d_->editsAtOpen);
+}
 
 void Document::Private::adopt(const QString& path, OpenedWork opened) {
   const std::vector<Session> sessions = std::move(opened.sessions);

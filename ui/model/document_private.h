@@ -39,6 +39,12 @@ struct GrowthChoices {
   }
 };
 
+//! What was read, and has not taken the place of what is open yet.
+struct ReadWork {
+  QString path;
+  OpenedWork work;
+};
+
 //! How files are written; a session keeps it.
 struct OutputChoices {
   bool polishes = true;
@@ -67,6 +73,7 @@ class Document::Private : public ObjectHost {
   // --- opening ---
   void open(const OpeningRequest& asked);
   void finishOpening(int number, const QString& path, OpeningResult result);
+  void dropOpening();
   void adopt(const QString& path, OpenedWork opened);
   void adoptObjects(const QString& path, const std::vector<Session>& sessions);
   void hashInBackground();
@@ -159,6 +166,10 @@ class Document::Private : public ObjectHost {
   QByteArray view;
   bool wasModified = false;
   NewestJob opening, openingObjects, exporting;
+  bool openingWaits = false;
+  std::optional<ReadWork> read;  // waits
+  int editsAtOpen = 0;           // when what is being opened was asked for
+  bool wasModifiedAtOpen = false;
   std::vector<std::weak_ptr<const ObjectWork>> begun;  // what was opened last, while it is prepared
   QStringList withoutSurface;                          // why that is so, of those that failed
 

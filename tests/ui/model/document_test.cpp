@@ -79,6 +79,45 @@ TEST_CASE("a cancelled opening opens nothing", "[document]") {
   CHECK_FALSE(document.hasVolume());
 }
 
+TEST_CASE("what was read waits for the word where it is to, and what is open stays", "[document]") {
+  const TorusFile torus, other;
+  Document document;
+  int waits = 0, cancelled = 0;
+  QObject::connect(&document, &Document::openingWaits, [&] { ++waits; });
+  QObject::connect(&document, &Document::openingCancelled, [&] { ++cancelled; });
+  REQUIRE(openAndWait(document, torus.path));
+  CHECK(waits == 0);
+  document.setOpeningWaits(true);
+  document.addSeed(torus.seed);
+  document.open(other.path);
+  CHECK_FALSE(document.isChangedSinceOpen());
+  document.addSeed({testing::kMiddle - Vec3(testing::kTorusR, 0, 0), 3.0});
+  REQUIRE(waitFor([&] { return waits == 1; }));
+  CHECK(document.isOpeningWaiting());
+  CHECK(document.isOpening());
+  CHECK(document.isChangedSinceOpen());
+  CHECK(document.path() == torus.path);
+  SECTION("it takes the place of that") {
+    document.finishOpening();
+    CHECK(document.path() == other.path);
+    CHECK_FALSE(document.isModified());
+  }
+  SECTION("it is not wanted") {
+    document.cancelOpening();
+    CHECK(cancelled == 1);
+    CHECK(document.path() == torus.path);
+    CHECK(document.seeds().size() == 2);
+    document.finishOpening();
+    CHECK(document.path() == torus.path);
+  }
+  SECTION("another one is opened instead") {
+    document.open(torus.path);
+    CHECK_FALSE(document.isOpeningWaiting());
+    CHECK_FALSE(document.isChangedSinceOpen());
+  }
+  CHECK_FALSE(document.isOpeningWaiting());
+}
+
 TEST_CASE("of two openings the newer one wins", "[document]") {
   const TorusFile torus, other;
   Document document;

@@ -1,5 +1,9 @@
 // Questions about unsaved work: when they are asked, and that nothing is lost without one.
 
+#include <QDialog>
+#include <QFile>
+#include <QFileInfo>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QTimer>
 
@@ -42,6 +46,12 @@ struct Saved {
   std::unique_ptr<ui::MainWindow> window = shownWindow();
   bool ok = window && open(*window, sample(kVolume)) && save();
 
+  //! The same volume in another file.
+  QString other() const {
+    const QString path = folder.filePath("other.nii.gz");
+    QFile::copy(sample(kVolume), path);
+    return path;
+  }
   ui::Document& document() { return window->document(); }
   void setRadius(double radius) { document().setSeedRadius(0, radius); }
   bool save() {
@@ -60,6 +70,19 @@ struct Saved {
   }
 };
 
+//! Saves as `path` when what is being opened has been read, in the question for the name.
+void saveAsWhenRead(ui::MainWindow& window, const QString& path) {
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (!dialog || !window.document().isOpeningWaiting()) return;
+    if (auto* edit = dialog->findChild<QLineEdit*>("fileNameEdit")) edit->setText(path);
+    dialog->accept();
+  });
+  timer.start(100);
+  window.files().saveAs();
+}
+
 }  // namespace
 
 class UnsavedTest : public QObject {
@@ -69,6 +92,9 @@ class UnsavedTest : public QObject {
   void aWindowThatIsSavedCloses();
   void whatIsChangedWhileItIsSavedIsAskedAbout();
   void aWindowThatStaysOpenAsksTheNextTime();
+  void whatIsDoneWhileAFileIsReadIsAskedAbout();
+  void whatIsSavedWhileAFileIsReadIsNotAskedAbout();
+  void nothingTakesThePlaceOfWhatANameIsAskedFor();
 };
 
 void UnsavedTest::aWindowThatIsSavedCloses() {
@@ -110,6 +136,56 @@ void UnsavedTest::aWindowThatStaysOpenAsksTheNextTime() {
   s.window->close();
   QCOMPARE(answers.asked(), 2);
   QVERIFY(s.window->isVisible());
+}
+
+void UnsavedTest::whatIsDoneWhileAFileIsReadIsAskedAbout() {
+  Saved s;
+  QVERIFY(s.ok);
+  const Answers answers({QMessageBox::Cancel, QMessageBox::Discard});
+  QSignalSpy opened(&s.document(), &ui::Document::opened);
+  s.window->files().open(s.other());
+  QCOMPARE(answers.asked(), 0);  // nothing is unsaved
+  s.setRadius(9);
+  QTRY_COMPARE_WITH_TIMEOUT(answers.asked(), 1, kPatience);
+  QTRY_VERIFY(!s.document().isOpening());
+  QVERIFY(opened.isEmpty());
+  QVERIFY(s.document().isModified());
+  QVERIFY(shownText(*s.window, "State of the growth") != QString("Reading other.nii.gz…"));
+
+  s.window->files().open(s.other());
+  QCOMPARE(answers.asked(), 2);
+  QVERIFY(opened.wait(kPatience));  // what was discarded is not asked about again
+  QCOMPARE(answers.asked(), 2);
+  QCOMPARE(s.document().path(), s.other());
+}
+
+void UnsavedTest::whatIsSavedWhileAFileIsReadIsNotAskedAbout() {
+  Saved s;
+  QVERIFY(s.ok);
+  const Answers answers;
+  QSignalSpy opened(&s.document(), &ui::Document::opened);
+  s.window->files().open(s.other());
+  s.setRadius(9);
+  s.window->files().save();
+  QVERIFY(opened.wait(kPatience));
+  QCOMPARE(answers.asked(), 0);
+  QCOMPARE(s.document().path(), s.other());
+  QVERIFY(s.document().sessionPath().isEmpty());
+}
+
+void UnsavedTest::nothingTakesThePlaceOfWhatANameIsAskedFor() {
+  Saved s;
+  QVERIFY(s.ok);
+  const QString path = s.folder.filePath("again.json");
+  QSignalSpy opened(&s.document(), &ui::Document::opened);
+  s.window->files().open(s.other());
+  saveAsWhenRead(*s.window, path);
+  QVERIFY(opened.isEmpty());
+  QVERIFY(opened.wait(kPatience));
+  QCOMPARE(s.document().path(), s.other());
+  QVERIFY(open(*s.window, path));
+  QCOMPARE(QFileInfo(s.document().path()).fileName(), QString(kVolume));
+  QCOMPARE(s.document().seeds().size(), std::size_t{1});
 }
 
 int main(int argc, char** argv) {

@@ -93,6 +93,21 @@ QString baseName(const QString& path) {
 
 }  // namespace
 
+//! While one lives the user is asked about the work that is open, which stays until he has answered.
+class FileWork::Asking {
+ public:
+  explicit Asking(FileWork& work) : work_(work) { ++work_.asking_; }
+  ~Asking() {
+    --work_.asking_;
+    work_.replaceOpenSoon();
+  }
+  Asking(const Asking&) = delete;
+  Asking& operator=(const Asking&) = delete;
+
+ private:
+  FileWork& work_;
+};
+
 FileWork::FileWork(Document& document, ViewGrid& views, ExportPanel& exports, MessageBar& messages,
                    QWidget* window)
     : QObject(window),
@@ -103,6 +118,8 @@ FileWork::FileWork(Document& document, ViewGrid& views, ExportPanel& exports, Me
       window_(window) {
   connectMessages();
   connectObjects();
+  document_.setOpeningWaits(true);
+  connect(&document_, &Document::openingWaits, this, &FileWork::replaceOpen);
 }
 
 void FileWork::connectMessages() {
@@ -122,7 +139,9 @@ void FileWork::connectMessages() {
   });
   connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
     next_ = nullptr;
+    saving_ = false;
     failed(text);
+    replaceOpenSoon();
   });
   connect(&document_, &Document::exporting, this, [this] {
     polished_.clear();
@@ -141,7 +160,9 @@ void FileWork::connectMessages() {
          (anew.isEmpty() ? QString()
                          : QLatin1Char(' ') + tr("A replay grows anew: %1.").arg(anew.join(tr(", ")))));
     remember(path);
+    saving_ = false;
     afterSaved();
+    replaceOpenSoon();
   });
 }
 
@@ -305,9 +326,23 @@ void FileWork::openSample() {
     whenSaved([this, path] { begin(path, {}); });  // its folder is not where the user keeps work
 }
 
-// Runs `next` at once, after saving, or not at all, as the user answers.
-void FileWork::whenSaved(std::function<void()> next) {
+//! Who worked on while it was read is asked about that: nobody has been when it was to be opened. Questions
+//! that are asked then, and a session that is written, are about the work that is open; that stays until
+//! then.
+void FileWork::replaceOpen() {
+  if (asking_ > 0 || saving_ || !document_.isOpeningWaiting()) return;
+  if (!document_.isChangedSinceOpen()) return document_.finishOpening();
+  whenSaved([this] { document_.finishOpening(); }, [this] { document_.cancelOpening(); });
+}
+
+//! When whoever calls is done.
+void FileWork::replaceOpenSoon() {
+  QMetaObject::invokeMethod(this, &FileWork::replaceOpen, Qt::QueuedConnection);
+}
+
+void FileWork::whenSaved(std::function<void()> next, const std::function<void()>& otherwise) {
   if (!document_.hasVolume() || !document_.isModified()) return next();
+  const Asking asking(*this);
   QMessageBox question(QMessageBox::Question, tr("Unsaved work"), tr("Save the seeds and parameters first?"),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
   question.setInformativeText(
@@ -316,12 +351,14 @@ void FileWork::whenSaved(std::function<void()> next) {
   switch (question.exec()) {
     case QMessageBox::Save:
       // What is changed until it is written is asked about, too; how far the growth has got by then is not.
-      next_ = [this, next = std::move(next)] { document_.undoStack()->isClean() ? next() : whenSaved(next); };
+      next_ = [this, next = std::move(next), otherwise] {
+        document_.undoStack()->isClean() ? next() : whenSaved(next, otherwise);
+      };
       return save();
     case QMessageBox::Discard:
       return next();
     default:
-      return;
+      if (otherwise) otherwise();
   }
 }
 
@@ -360,7 +397,12 @@ bool FileWork::mayClose() {
 void FileWork::save() {
   const QString path = document_.sessionPath();
   if (path.isEmpty() || isSample(path)) return saveAs();
+  saveSession(path);
+}
+
+void FileWork::saveSession(const QString& path) {
   Q_EMIT aboutToSave();
+  saving_ = true;  // until it is told how that ended, which may be at once
   document_.saveSession(path);
 }
 
@@ -373,8 +415,7 @@ void FileWork::saveAs() {
     next_ = nullptr;
     return;
   }
-  Q_EMIT aboutToSave();
-  document_.saveSession(path);
+  saveSession(path);
 }
 
 QString FileWork::suggestedBase(bool mayTell) const {
@@ -387,6 +428,7 @@ QString FileWork::suggestedBase(bool mayTell) const {
 
 //! The dialog would ask about the name as it is typed, without its ending, and of one file only.
 QString FileWork::askForName(const NameQuestion& question) {
+  const Asking asking(*this);
   QStringList filters;
   for (const QString& ending : question.endings) filters << QStringLiteral("*%1 (*%1)").arg(ending);
   const QString filter = question.filter.isEmpty() ? filters.join(QStringLiteral(";;")) : question.filter;

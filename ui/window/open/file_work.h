@@ -68,7 +68,12 @@ class FileWork : public QObject {
  private:
   void remember(const QString& path);
   void begin(const QString& path, const VolumeSelection& selection);
-  void whenSaved(std::function<void()> next);
+  //! Runs `next` at once, after saving, or not at all, as the user answers; `otherwise` if not at all.
+  void whenSaved(std::function<void()> next, const std::function<void()>& otherwise = {});
+  void saveSession(const QString& path);
+  class Asking;
+  void replaceOpen();
+  void replaceOpenSoon();
   void afterSaved();
   void keepTrack();
   void closeWindow();
@@ -113,6 +118,8 @@ class FileWork : public QObject {
   QString reading_;                 //!< what the document reads, or has read last
   QString restored_;                //!< the journal that was to be restored last
   int writing_ = 0;                 //!< files, or sets of them, that are not there yet
+  int asking_ = 0;                  //!< questions about the work that is open
+  bool saving_ = false;             //!< its session is not written yet
   bool closesWhenWritten_ = false;
   bool closing_ = false;  //!< the next close() needs no answer any more
 };

@@ -58,9 +58,10 @@ StatusFields::StatusFields(QStatusBar* bar, Document& document)
          "entered in step 1, Open"));
   for (QWidget* widget : std::initializer_list<QWidget*>{uncalibrated_, progress_, cancel_, state_})
     bar->addPermanentWidget(widget);  // the state at the rim, where it stays
-  connect(cancel_, &QToolButton::clicked, this, &StatusFields::cancel);
+  connect(cancel_, &QToolButton::clicked, &document_, &Document::cancelOpening);
   connect(&document_, &Document::opening, this, &StatusFields::showProgress);
   connect(&document_, &Document::opened, this, &StatusFields::endProgress);
+  connect(&document_, &Document::openingCancelled, this, &StatusFields::endProgress);
   connect(&document_, &Document::openFailed, this, &StatusFields::endProgress);
   connect(&document_, &Document::seriesChoiceNeeded, this, &StatusFields::endProgress);
   connect(&document_, &Document::fileNeeded, this, &StatusFields::endProgress);
@@ -102,12 +103,6 @@ void StatusFields::showProgress(const QString& path, double progress) {
   progress_->setValue(static_cast<int>(100 * progress));
   progress_->show();
   cancel_->show();
-}
-
-//! The document says nothing of what it was told to leave.
-void StatusFields::cancel() {
-  document_.cancelOpening();
-  endProgress();
 }
 
 void StatusFields::endProgress() {

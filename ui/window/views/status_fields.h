@@ -28,7 +28,6 @@ class StatusFields : public QObject {
   void say(const QString& state);
   void showProgress(const QString& path, double progress);
   void endProgress();
-  void cancel();
 
   Document& document_;
   QLabel *position_, *voxel_, *intensity_, *uncalibrated_, *state_;
