@@ -66,6 +66,7 @@ void GrowthWorker::runToEvent(const Request& request, PreparedContour prepared) 
 void GrowthWorker::step(const Request& request, PreparedContour prepared) {
   send([this, request, prepared = std::move(prepared)] {
     const std::optional<Request> before = history_ ? std::optional(nextRequest()) : std::nullopt;
+    tryEdit(request, prepared.get());
     goOn(request, prepared.get(), Mode::run);
     const bool canGoOn = mode_ == Mode::run;
     mode_ = Mode::idle;
@@ -210,6 +211,22 @@ void GrowthWorker::goOn(const Request& request, const ActiveContour* prepared, M
   change(request, prepared);
   if (mode == Mode::toEvent && goToRecordedEvent()) return;
   if (history_->stopReason() == StopReason::running) mode_ = mode;
+}
+
+//! On a copy, where iterations are recorded after the shown one: a refusal must not have dropped them. Throws
+//! as the step does.
+void GrowthWorker::tryEdit(const Request& request, const ActiveContour* prepared) {
+  if (!history_ || history_->iteration() == history_->lastIteration() || request == nextRequest()) return;
+  const auto isNext = [this](const MeshEdit& e) { return e.iteration == history_->iteration() + 1; };
+  const std::vector<MeshEdit>& edits = request.constraints.edits;
+  if (std::none_of(edits.begin(), edits.end(), isNext)) return;
+  const CancelScope scope(endsStep_);
+  ActiveContour trial = history_->shown();
+  if (prepared && prepared->request() == request)
+    trial.change(*prepared);
+  else
+    trial.change(request);
+  if (trial.stopReason() == StopReason::running) trial.step();
 }
 
 //! What the next step from the shown iteration is done with.

@@ -67,7 +67,8 @@ class GrowthWorker {
   void start(std::shared_ptr<const ActiveContour> contour);
   //! Nothing is grown any more.
   void clear();
-  //! A step that is refused (UsageError) leaves the clicks and parameters as they were, too.
+  //! A step that is refused (UsageError) leaves the clicks and parameters as they were, too, and an edit by
+  //! hand that is refused what was recorded.
   //! All three go on from the shown iteration with these clicks and parameters; if they are others than
   //! recorded, what was recorded after it is dropped.
   void run(const Request& request, PreparedContour prepared = {});
@@ -101,6 +102,7 @@ class GrowthWorker {
   std::optional<Command> next(const std::stop_token& stop);
   void perform(const Command& command);
   void goOn(const Request& request, const ActiveContour* prepared, Mode mode);
+  void tryEdit(const Request& request, const ActiveContour* prepared);
   bool goToRecordedEvent();
   void stepOnce();
   bool noticeLeaks();

@@ -96,6 +96,23 @@ TEST_CASE("an edit that cannot be made is told, and all is as it was", "[documen
   CHECK(grown.genus() == 0);
 }
 
+TEST_CASE("an edit on the way that cannot be made leaves the iterations after it", "[document]") {
+  GrownForEdits grown;
+  Document& document = grown.document;
+  const int last = document.lastIteration();
+  const TriangleSoup end = document.snapshot()->mesh;
+  REQUIRE(showIteration(document, last / 2));
+  const TriangleSoup before = document.snapshot()->mesh;
+  document.editMesh({0, MeshEditKind::fillCavity, testing::kMiddle});
+  REQUIRE(waitFor([&] { return !grown.refused.isEmpty(); }));
+  CHECK(document.constraints().empty());
+  CHECK(document.iteration() == last / 2);
+  CHECK(isSame(document.snapshot()->mesh, before));
+  REQUIRE(document.lastIteration() == last);
+  REQUIRE(showIteration(document, last));
+  CHECK(isSame(document.snapshot()->mesh, end));
+}
+
 TEST_CASE("an edit is left out from the step before it on", "[document]") {
   GrownForEdits grown;
   Document& document = grown.document;
