@@ -173,7 +173,7 @@ class Document : public QObject {
   //! objects, in one undo entry: those that are done before the first object that has no surface yet, so that
   //! they are walls for it; else behind the others, the first of them active. Read and made on a worker
   //! thread: openingObjects(), then objectsOpened(), openingObjectsFailed() or openingObjectsCancelled().
-  //! Nothing without a volume.
+  //! While a frame is corrected openingObjectsFailed() at once. Nothing without a volume.
   void openObjects(const ObjectsToOpen& asked);
   void cancelOpeningObjects();
   //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes, pins

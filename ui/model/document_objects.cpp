@@ -143,10 +143,14 @@ QString Document::waitsFor() const {
 
 // --- changes of the list ---
 
+QString Document::Private::listFault() const {
+  return corrected.isOpen() ? tr("A frame is being corrected: end that first.") : QString();
+}
+
 void Document::Private::pushList(const QString& text, ObjectList after, int gesture) {
   if (after.entries == objects.list().entries) return;
-  if (corrected.isOpen()) {
-    Q_EMIT q.refused(tr("A frame is being corrected: end that first."));
+  if (const QString fault = listFault(); !fault.isEmpty()) {
+    Q_EMIT q.refused(fault);
     Q_EMIT q.objectsChanged();  // fields show again what holds
     return;
   }

@@ -13,6 +13,7 @@ namespace handlebody::ui {
 
 void Document::openObjects(const ObjectsToOpen& asked) {
   if (!hasVolume()) return;
+  if (const QString fault = d_->listFault(); !fault.isEmpty()) return Q_EMIT openingObjectsFailed(fault);
   cancelOpeningObjects();
   const StopFlag flag = d_->openingObjects.begin();
   Q_EMIT openingObjects(asked.path);
@@ -31,8 +32,8 @@ void Document::openObjects(const ObjectsToOpen& asked) {
         [this, asked, opened, failed, stop, known] {
           if (*stop || known != d_->hash)  // they were meant for what was open
             Q_EMIT openingObjectsCancelled();
-          else if (!failed.isEmpty())
-            Q_EMIT openingObjectsFailed(failed);
+          else if (const QString fault = failed.isEmpty() ? d_->listFault() : failed; !fault.isEmpty())
+            Q_EMIT openingObjectsFailed(fault);
           else
             d_->addOpened(asked, *opened);
         },

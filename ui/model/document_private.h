@@ -84,6 +84,8 @@ class Document::Private : public ObjectHost {
   std::shared_ptr<ObjectWork> newObject();
   void activate(const std::shared_ptr<ObjectWork>& object);
   void tellAll();
+  //! Why no object can be added or changed in the list now, as a sentence; empty: it can.
+  QString listFault() const;
   void pushList(const QString& text, ObjectList after, int gesture = -1);
   void applyList(const ObjectList& after);
   void pokeAfter(const ObjectWork& object);

@@ -10,6 +10,7 @@
 #include "tests/io/overlapping_segments.h"
 #include "tests/support/test_volume.h"
 #include "tests/ui/model/objects_support.h"
+#include "tests/ui/model/time_support.h"
 
 using namespace handlebody;
 using namespace handlebody::ui;
@@ -351,6 +352,32 @@ TEST_CASE("objects go into the volume that they were opened for, or nowhere", "[
     CHECK_FALSE(work.wasCancelled);
     CHECK(work.document.objectCount() == 2);
   }
+}
+
+TEST_CASE("while a frame is corrected no object is opened, and it says why", "[objects][opened]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(growInFrame(document, heart));
+  REQUIRE(carryAll(document));
+  REQUIRE(showFrame(document, 3));
+  const QString ball = heart.file("ball.stl");
+  writeMesh(icosphere(heart.seed, 9, 3.0), ball.toStdString());
+  QString failed;
+  int begun = 0, opened = 0;
+  QObject::connect(&document, &Document::openingObjectsFailed, [&](const QString& why) { failed = why; });
+  QObject::connect(&document, &Document::openingObjects, [&] { ++begun; });
+  QObject::connect(&document, &Document::objectsOpened, [&] { ++opened; });
+  document.openObjects({ball, OpenAs::done});
+  document.correctShownFrame();  // which began before the ball was read
+  REQUIRE(document.correctedFrame() == 3);
+  REQUIRE(waitFor([&] { return opened > 0 || !failed.isEmpty(); }));
+  CHECK(opened == 0);
+  CHECK(failed.contains("being corrected"));
+  failed.clear();
+  document.openObjects({ball, OpenAs::done});
+  CHECK(failed.contains("being corrected"));
+  CHECK(begun == 1);
+  CHECK(document.objectCount() == 1);
 }
 
 TEST_CASE("of a label map only the labels that are chosen become objects", "[objects][opened]") {
