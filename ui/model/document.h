@@ -368,7 +368,8 @@ class Document : public QObject {
   void exportReport(const QString& path, bool anonymous = false);
   //! Why no session can be written now, as a sentence; empty: it can.
   QString sessionFault() const;
-  //! What `handlebody-cli replay` needs to make the shown meshes again. Throws nothing; saveFailed() tells
+  //! What `handlebody-cli replay` needs to make the shown meshes again; of an object that is still grown
+  //! again as a session says, or paused on that way, all that this says. Throws nothing; saveFailed() tells
   //! why.
   void saveSession(const QString& path);
   //! The same without what may name the patient: no file, no series, and the names that objects have from

@@ -266,7 +266,11 @@ void Document::runAll() {
   bool isOther = false;  // one before it
   const auto all = d_->objects.all();
   for (const auto& object : all) {
-    if (object->traits.locked || !object->isSeeded() || object->isReplaying()) continue;
+    if (object->traits.locked || !object->isSeeded()) continue;
+    if (object->isReplaying()) {
+      if (!object->isBusy()) object->goOn(Private::Wanted::run);
+      continue;
+    }
     if (!isOther && object->state() == GrowthState::finished) continue;
     if (isOther)
       object->growAnew();

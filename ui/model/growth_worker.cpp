@@ -41,6 +41,7 @@ void GrowthWorker::start(std::shared_ptr<const ActiveContour> contour) {
         framed_ = kept_ = -1;
         leaks_.clear();
         questions_.clear();
+        replayLeft_ = false;
         history_.emplace(*contour);
       },
       Urgency::endsStep);
@@ -82,6 +83,7 @@ void GrowthWorker::step(const Request& request, PreparedContour prepared) {
 void GrowthWorker::replay(const Replay& replay) {
   send([this, replay] {
     replay_ = replay;
+    replayLeft_ = true;
     mode_ = Mode::replay;
   });
 }
@@ -178,6 +180,7 @@ void GrowthWorker::perform(const Command& command) {
   } catch (...) {
     error_ = errorSentence();
     mode_ = Mode::idle;
+    replayLeft_ = false;
   }
   publish(std::move(frame));
 }
@@ -207,6 +210,7 @@ void GrowthWorker::change(const Request& request, const ActiveContour* prepared)
 
 void GrowthWorker::goOn(const Request& request, const ActiveContour* prepared, Mode mode) {
   mode_ = Mode::idle;
+  replayLeft_ = false;
   if (!history_) return;
   change(request, prepared);
   if (mode == Mode::toEvent && goToRecordedEvent()) return;
@@ -254,6 +258,7 @@ void GrowthWorker::stepOnce() {
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   const bool isNew = history_->lastIteration() > last;
   if (isNew) seconds_ += spent.count();
+  if (mode_ == Mode::replay && history_->iteration() == replay_.stopAt) replayLeft_ = false;
   if ((isNew && isToPause() && mode_ != Mode::replay) || hasReached()) mode_ = Mode::idle;
 }
 
@@ -287,14 +292,19 @@ bool GrowthWorker::replayChange() {
     if (recorded.iteration == now && now < replay_.stopAt.value_or(now + 1))
       change(changed(nextRequest(), recorded));
   const bool goesOn = history_->stopReason() == StopReason::running && now < replay_.stopAt.value_or(now + 1);
-  if (!goesOn) mode_ = Mode::idle;
+  if (!goesOn) {
+    mode_ = Mode::idle;
+    replayLeft_ = false;
+  }
   return goesOn;
 }
 
 bool GrowthWorker::hasReached() const {
-  if (mode_ == Mode::replay) return false;  // the next change may let it go on
+  const auto isEvent = [this] { return isEventIteration(history_->iteration()); };
+  if (mode_ == Mode::replay)  // the next change may let it go on
+    return replay_.to == Replay::To::step || (replay_.to == Replay::To::event && isEvent());
   if (history_->stopReason() != StopReason::running) return true;
-  return mode_ == Mode::toEvent && isEventIteration(history_->iteration());
+  return mode_ == Mode::toEvent && isEvent();
 }
 
 bool GrowthWorker::isEventIteration(int iteration) const {
@@ -336,6 +346,7 @@ void GrowthWorker::publish(std::shared_ptr<const MeshSnapshot> frame) {
     update_.running = mode_ != Mode::idle;
     update_.error = error_;
     update_.seconds = seconds_;
+    update_.replayLeft = replayLeft_;
     if (frame || !history_) update_.snapshot = std::move(frame);
     if (history_) {
       update_.stopReason = history_->stopReason();

@@ -38,7 +38,8 @@ struct GrowthUpdate {
   std::optional<ResolvedParameters> resolved;
   std::vector<ParameterChange> changes;
   std::vector<RecordedCorrection> corrections;
-  double seconds = 0;  //!< computing time of all steps
+  double seconds = 0;       //!< computing time of all steps
+  bool replayLeft = false;  //!< a replay was paused, or runs: not all of it is done yet
 };
 
 //! Made elsewhere for the same volume and the request it comes with, so that changing to it takes no time;
@@ -47,8 +48,10 @@ using PreparedContour = std::shared_ptr<const ActiveContour>;
 
 //! A growth to be made again: these changes on the way, and the iteration to pause at.
 struct Replay {
+  enum class To { end, step, event };
   std::vector<ParameterChange> changes;
   std::optional<int> stopAt;
+  To to = To::end;  //!< it pauses after the next step, or event, already
 };
 
 //! Every call returns at once; commands are done in order. What ends a run (a pause, another iteration,
@@ -74,7 +77,7 @@ class GrowthWorker {
   void run(const Request& request, PreparedContour prepared = {});
   void step(const Request& request, PreparedContour prepared = {});
   void runToEvent(const Request& request, PreparedContour prepared = {});
-  //! Grows again as recorded in a session.
+  //! Grows again as recorded in a session, from the shown iteration on, which must lie on that way.
   void replay(const Replay& replay);
   void pause();
   void goTo(int iteration);
@@ -127,6 +130,7 @@ class GrowthWorker {
   std::optional<History> history_;
   Mode mode_ = Mode::idle;
   Replay replay_;
+  bool replayLeft_ = false;
   int sinceFrame_ = 0;
   int framed_ = -1;  // iteration of the last frame
   bool framedInFull_ = false;

@@ -67,6 +67,7 @@ void ObjectWork::adopt(const Session& session) {
 
 void ObjectWork::volumeReplaced() {
   pause();
+  replays_ = false;
   dropGrowth();
   forgetPreparation();
   forgetCandidates();

@@ -114,7 +114,8 @@ class ObjectWork : public QObject {
   SurfaceGrowth& growth() { return growth_; }
   //! It grows, or is going to when it can.
   bool isBusy() const { return wanted_ != Wanted::nothing || growth_.isRunning(); }
-  //! What a session says of it is still to be done, or under way.
+  //! What a session says of it is still to be done, under way, or paused: it goes on as recorded there until
+  //! that is done, or something is edited.
   bool isReplaying() const { return replays_; }
   bool isWaiting() const { return isWaiting_ && wanted_ != Wanted::nothing; }
 
@@ -127,9 +128,10 @@ class ObjectWork : public QObject {
   bool isOutOfDate() const;
 
   // --- out ---
-  //! What belongs to the object alone: seeds, parameters, constraints, changes, label.
+  //! What belongs to the object alone: seeds, parameters, constraints, changes, label. While it is replayed
+  //! all of the replay.
   Session session() const;
-  //! The same with what is told of the growth.
+  //! The same, of the shown surface, with what is told of the growth.
   RunReport report() const;
   bool isAsSaved() const { return growth_.iteration() == savedIteration_; }
   void setSavedIteration(int iteration) { savedIteration_ = iteration; }
@@ -157,6 +159,9 @@ class ObjectWork : public QObject {
   void makeEdit(const std::vector<MeshEdit>& known);
   void tellOfEdit();
   Request replayedRequest() const;
+  Replay replayWithWalls() const;
+  void goOnReplaying(Wanted what);
+  bool isReplayOver() const;
   Session recorded() const;
 
   ObjectHost& host_;
@@ -189,7 +194,7 @@ class ObjectWork : public QObject {
   std::optional<Request> editing_;  // asked for the next step to be an edit, which is under way
   Replay replay_;
   Request replayed_;      // at the beginning of the replay
-  bool replays_ = false;  // what the session says is still to be done, or under way
+  bool replays_ = false;  // what the session says is still to be done, under way, or paused
   QString error_;
   GrowthState shownState_ = GrowthState::none;
   StopReason shownStop_ = StopReason::running;

@@ -24,9 +24,27 @@ Request ObjectWork::replayedRequest() const {
   return request;
 }
 
+Replay ObjectWork::replayWithWalls() const {
+  Replay replay = replay_;
+  addWalls(replay.changes, wallObjects(walls_));
+  return replay;
+}
+
+//! With what is recorded next, and not with what holds at its end.
+void ObjectWork::goOnReplaying(Wanted what) {
+  replay_.to = what == Wanted::step      ? Replay::To::step
+               : what == Wanted::toEvent ? Replay::To::event
+                                         : Replay::To::end;
+  if (growth_.exists() && (growth_.isRunning() || !isOutOfDate()))
+    growth_.replay(replayWithWalls());
+  else
+    beginGrowth(Wanted::replay);
+}
+
 void ObjectWork::goOn(Wanted what) {
   if (!host_.openVolume()) return;
   error_.clear();
+  if (replays_) return goOnReplaying(what);
   const bool restart =
       growth_.iteration() == 0 && !growth_.isRunning() && growth_.beginning().request() != request();
   if (!growth_.exists() || restart || (!growth_.isRunning() && isOutOfDate())) {
@@ -56,6 +74,7 @@ void ObjectWork::goOn(Wanted what) {
 
 void ObjectWork::growAnew() {
   error_.clear();
+  replays_ = false;
   beginGrowth(Wanted::run);
 }
 
@@ -89,11 +108,9 @@ void ObjectWork::startPrepared() {
   if (what == Wanted::nothing) return;
   if (prepared_ && !growth_.exists()) {
     grownWith_ = walls_;
-    Replay replay = replay_;
-    addWalls(replay.changes, wallObjects(walls_));
-    growth_.start(prepared_, what == Wanted::replay ? std::optional(replay) : std::nullopt);
+    growth_.start(prepared_, what == Wanted::replay ? std::optional(replayWithWalls()) : std::nullopt);
   }
-  if (prepared_) goOn(what);
+  if (prepared_ && what != Wanted::replay) goOn(what);
   updateState();
 }
 
@@ -120,13 +137,14 @@ void ObjectWork::updateState() {
     lookAtWalls(tellsAgain_);
   else if (conflict_ && !growth_.isRunning())
     lookAgain();
+  const bool isOver = isReplayOver();
+  if (isOver) replays_ = false;
   const GrowthState now = state();
   const StopReason stop = stopReason();
   const QString failed = error();
-  if (now == shownState_ && stop == shownStop_ && failed == shownError_) return;
+  if (!isOver && now == shownState_ && stop == shownStop_ && failed == shownError_) return;
   if (!failed.isEmpty() && failed != shownError_) lookAtWalls(true);
   const bool cameToRest = shownState_ == GrowthState::running && now != GrowthState::running;
-  if (!isBusy()) replays_ = false;
   shownState_ = now;
   shownStop_ = stop;
   shownError_ = failed;
@@ -134,8 +152,15 @@ void ObjectWork::updateState() {
   host_.changed(*this, ObjectHost::Part::state);
 }
 
+//! Done, or it failed: not where it was paused.
+bool ObjectWork::isReplayOver() const {
+  if (!replays_ || isBusy()) return false;
+  if (!growth_.exists()) return !error_.isEmpty();
+  return growth_.isUpToDate() && !growth_.isReplayLeft();
+}
+
 void ObjectWork::pause() {
-  changedOnTheWay_ = replays_ = goesOnThere_ = false;
+  changedOnTheWay_ = goesOnThere_ = false;
   if (wanted_ != Wanted::nothing) {
     wanted_ = Wanted::nothing;
     updateState();
@@ -161,6 +186,7 @@ void ObjectWork::goToPreviousEvent() {
 void ObjectWork::goOnBeforeWalls() {
   if (!growth_.exists()) return;
   pause();
+  replays_ = false;
   goesOnThere_ = true;
   growth_.goBefore(request().constraints.walls);
 }
@@ -304,7 +330,9 @@ Session ObjectWork::recorded() const {
 
 RunReport ObjectWork::report() const {
   RunReport r;
-  r.session = session();
+  // Of a replay that is paused the way up to here: it is about the surface that is shown.
+  const bool isPaused = isReplaying() && !isBusy() && growth_.iteration() >= 0 && !isOutOfDate();
+  r.session = isPaused ? recorded() : session();
   r.iterations = growth_.iteration();
   r.stopped = growth_.stopReason();
   r.seconds.prepare = prepareSeconds_;

@@ -66,6 +66,11 @@ void SurfaceGrowth::step(const Request& request, PreparedContour prepared) {
   expect(false);
 }
 
+void SurfaceGrowth::replay(const Replay& replay) {
+  worker_.replay(replay);
+  expect(replay.to != Replay::To::step);
+}
+
 void SurfaceGrowth::pause() {
   worker_.pause();
   expect(false);
@@ -118,6 +123,7 @@ void SurfaceGrowth::collect() {
   processed_ = update.processed;
   if (update.processed >= expected_) {
     running_ = update.running;
+    replayLeft_ = update.replayLeft;
     error_ = update.error;
   }
   if (listsChanged) listener_.summariesChanged();

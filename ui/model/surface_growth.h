@@ -31,6 +31,8 @@ class SurfaceGrowth {
   void run(const Request& request, PreparedContour prepared = {});
   void step(const Request& request, PreparedContour prepared = {});
   void runToEvent(const Request& request, PreparedContour prepared = {});
+  //! Goes on with a replay that was paused.
+  void replay(const Replay& replay);
   void pause();
   void goTo(int iteration);
   void stepBack();
@@ -45,6 +47,8 @@ class SurfaceGrowth {
   //! What was asked for is done.
   bool isUpToDate() const { return processed_ >= expected_; }
   bool isRunning() const { return running_; }
+  //! A replay is under way or was paused, and there is more of it. Known when isUpToDate().
+  bool isReplayLeft() const { return replayLeft_; }
   //! Of the shown iteration; running while it could go on.
   StopReason stopReason() const { return stopReason_; }
   const QString& error() const { return error_; }
@@ -71,7 +75,7 @@ class SurfaceGrowth {
 
   Listener listener_;
   std::shared_ptr<const ActiveContour> start_;
-  bool running_ = false;
+  bool running_ = false, replayLeft_ = false;
   int expected_ = 0;   // commands that must be done before an update tells whether it runs
   int processed_ = 0;  // commands that the last update knew of
   int started_ = 0;    // and before it tells of this growth at all

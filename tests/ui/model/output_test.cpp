@@ -181,6 +181,57 @@ TEST_CASE("a growth with parameters changed on the way replays to the same bytes
   }
 }
 
+TEST_CASE("a replay that is paused goes on as it was recorded, until something is edited", "[document]") {
+  GrownWork work;
+  REQUIRE(work.stepTo(10));
+  Parameters stiff = work.document.parameters();
+  stiff.curvature = 0.8;
+  work.document.setParameters(stiff, QStringLiteral("Curvature"));
+  REQUIRE(work.stepTo(20));
+  const TriangleSoup recorded = work.document.snapshot()->mesh;
+  const QString session = work.torus.file("session.json");
+  REQUIRE(work.saveTo(session));
+
+  OutputWork other;
+  Document& document = other.document;
+  REQUIRE(openAndWait(document, session));
+  document.pause();
+  REQUIRE(other.stepTo(5));
+  REQUIRE(document.lastIteration() < 10);
+  SECTION("step by step") {
+    REQUIRE(other.stepTo(20));
+    CHECK(isSame(document.snapshot()->mesh, recorded));
+    CHECK_FALSE(document.isModified());
+    REQUIRE(other.stepTo(21));  // what was recorded is done
+  }
+  SECTION("at once, after a look back") {
+    REQUIRE(showIteration(document, 2));
+    document.run();
+    REQUIRE(waitFor([&] { return document.iteration() == 20 && isAtRest(document); }));
+    waitMilliseconds(300);
+    CHECK(document.lastIteration() == 20);
+    CHECK(isSame(document.snapshot()->mesh, recorded));
+  }
+  SECTION("what is saved meanwhile is all of it") {
+    const QString again = other.torus.file("again.json");
+    document.saveSession(again);
+    REQUIRE(other.isWritten(again));
+    const auto saved = readSessions(again.toStdString());
+    CHECK(saved.front().stopAt == 20);
+    REQUIRE(saved.front().changes.size() == 1);
+    CHECK(saved.front().changes[0].iteration == 10);
+  }
+  SECTION("with other parameters it is another growth") {
+    stiff.curvature = 0.4;
+    document.setParameters(stiff, QStringLiteral("Curvature"));
+    REQUIRE(other.stepTo(document.iteration() + 1));
+    const QString edited = other.torus.file("edited.json");
+    document.saveSession(edited);
+    REQUIRE(other.isWritten(edited));
+    CHECK(readSessions(edited.toStdString()).front().stopAt == document.iteration());
+  }
+}
+
 TEST_CASE("a growth with clicks changed on the way replays to the same bytes", "[document]") {
   GrownWork work;
   Document& document = work.document;
