@@ -107,8 +107,13 @@ std::vector<const FrameCorrection*> correctionsUpTo(int frame, const OverTimeSet
   return those;
 }
 
-//! The same in every frame.
-bool saysWhatItIs(const Parameters& asked) { return asked.range.has_value(); }
+//! Whether the object of the frame beside it is asked for. A range says by itself what it is in every frame,
+//! and where the image shows nothing at all it does not show that either.
+bool asksForMoved(const FrameResult& anew, bool isCloseChoice, const Parameters& asked) {
+  if (anew.isTrusted()) return isCloseChoice;
+  const auto isNone = [](const ToldFault& f) { return f.fault == FrameFault::noObject; };
+  return !asked.range && std::none_of(anew.faults.begin(), anew.faults.end(), isNone);
+}
 
 bool isJump(double before, double now, int frames) {
   const double ratio = now > before ? now / before : before / now;
@@ -332,8 +337,8 @@ FrameResult FrameCarrier::tried(const FrameResult& from, int frame) const {
   const Volume volume = hooks_.load(frame);
   Meant meant;
   FrameResult anew = foundAnew(from, frame, volume, meant);
+  if (!asksForMoved(anew, meant.isCloseChoice, settings_.request.parameters)) return anew;
   const bool fails = !anew.isTrusted();
-  if (fails ? saysWhatItIs(settings_.request.parameters) : !meant.isCloseChoice) return anew;
   const MovedObject object = movedFrom(from, volume);
   const double agreed = fails ? 0 : agreement(anew.mesh, *object.surface);
   if (agreed >= kAgrees) return anew;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/cli/csv.h"
+#include "core/indices.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
@@ -83,7 +84,7 @@ int writeWithoutMiddle(const std::string& path) {
   int none = 0;
   for (int i = 0; i < 32 * 32 * 32; ++i) {
     if ((Vec3(i % 32, i / 32 % 32, i / 1024) - Vec3(16, 16, 16)).norm() > 3) continue;
-    voxels[static_cast<std::size_t>(i)] = std::numeric_limits<float>::quiet_NaN();
+    voxels[idx(i)] = std::numeric_limits<float>::quiet_NaN();
     ++none;
   }
   writeBytes(path,

@@ -71,7 +71,7 @@ TEST_CASE("where clicks mean another object than the frame before had, that one 
 
 TEST_CASE("where what clicks mean fails that of the frame before is taken if the image shows it, and told") {
   // The cap with the click is too small to be the same object, and no range of intensities has both parts.
-  const FrameResult r = carriedIn(ballOfTwo(12, 22));
+  const FrameResult r = carriedIn(noisy(ballOfTwo(12, 22), 4));
   CHECK(r.isTrusted());
   CHECK(r.volume == Approx(ball(12)).epsilon(0.05));
   REQUIRE(has(r, FrameFault::movedObject));
@@ -96,7 +96,7 @@ TEST_CASE("a range of intensities says by itself what the object is in every fra
   const FrameResult r = carriedIn(ballWithCore(12, 9.5), parameters);
   CHECK_FALSE(has(r, FrameFault::movedObject));
   CHECK(r.volume < ball(11));
-  CHECK_FALSE(carriedIn(ballOfTwo(12, 22), parameters).isTrusted());
+  CHECK_FALSE(carriedIn(noisy(ballOfTwo(12, 22), 4), parameters).isTrusted());
 }
 
 TEST_CASE("a frame that is corrected begins with the object that was taken there") {

@@ -37,7 +37,7 @@ TEST_CASE("what is undone in the list of objects ends the correction of a frame 
   Document document;
   REQUIRE(carryFrom(document, heart));
   const auto surface = document.snapshot();
-  testing::rename(document, 0, "Ventricle");
+  handlebody::ui::rename(document, 0, "Ventricle");
   REQUIRE(startCorrecting(document, 3));
   document.undoStack()->undo();  // the name
   CHECK_FALSE(document.correctedFrame());

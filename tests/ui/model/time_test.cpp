@@ -483,7 +483,7 @@ bool leaveJournal(const BeatingFile& heart, const QString& path) {
   OverTimeRequest request;
   request.holdTopology = false;
   request.corrections.push_back({2, {{{heart.seed, {}}}, {}, {}}});
-  document.setOverTime(request, "Over time");
+  document.time().setRequest(request, true);
   document.saveSession(path);
   return waitFor([&] { return written == path; });
 }
