@@ -62,7 +62,7 @@ Json measuresToJson(const CaseMeasures& m) {
           {"faces", m.faces},
           {"iterations", m.iterations},
           {"stopped", m.stopped},
-          {"unsupported_surface", m.unsupportedSurface},
+          {"unsupported_surface", orNull(m.unsupportedSurface)},
           {"seconds", m.seconds},
           {"peak_memory_mb", m.peakMegabytes},
           {"warnings", m.warnings},
@@ -153,7 +153,8 @@ CaseMeasures readMeasures(const std::string& folder) try {
   mesh.at("faces").get_to(m.faces);
   report.at("iterations").get_to(m.iterations);
   report.at("stopped").get_to(m.stopped);
-  report.at("unsupported_surface").get_to(m.unsupportedSurface);
+  if (const Json& part = report.at("unsupported_surface"); !part.is_null())
+    m.unsupportedSurface = part.get<double>();
   record.at("seconds").get_to(m.seconds);
   record.at("peak_memory_mb").get_to(m.peakMegabytes);
   m.warnings = report.at("input").at("warnings").get<std::vector<std::string>>();

@@ -28,9 +28,9 @@ struct CaseMeasures {
   int components = 0;
   std::vector<int> genus;  //!< per component
   int vertices = 0, faces = 0, iterations = 0;
-  std::string stopped;            //!< why
-  double unsupportedSurface = 0;  //!< part of the surface, 0 to 1
-  double seconds = 0;             //!< by the clock
+  std::string stopped;                         //!< why
+  std::optional<double> unsupportedSurface{};  //!< part of the surface, 0 to 1; none if not compared
+  double seconds = 0;                          //!< by the clock
   double peakMegabytes = 0;
   std::vector<std::string> warnings;  //!< of the volume and of the result
   std::optional<TimeMeasures> overTime{};

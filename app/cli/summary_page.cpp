@@ -170,7 +170,7 @@ std::string measureCells(const std::optional<CaseMeasures>& m) {
            (m->meanIntensity ? number(*m->meanIntensity, 1) : cell("", "")) + number(m->components, 0) +
            genusCell(m->genus);
   cells += number(m->iterations, 0) + cell(escaped(m->stopped), m->stopped) +
-           number(100 * m->unsupportedSurface, 1);
+           (m->unsupportedSurface ? number(100 * *m->unsupportedSurface, 1) : cell("", ""));
   return cells + number(m->seconds, 1) + number(m->peakMegabytes, 0);
 }
 

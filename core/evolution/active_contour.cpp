@@ -219,8 +219,7 @@ std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->active.memory();
 }
 SurfaceSupport ActiveContour::support() const {
-  if (!state_->isDone()) return surfaceSupport(state_->mesh, *state_->object.image);
-  return {std::vector<FaceSupport>(state_->mesh.faceCount(), FaceSupport::edge), 0, 0};
+  return state_->isDone() ? SurfaceSupport{} : surfaceSupport(state_->mesh, *state_->object.image);
 }
 std::vector<Finding> ActiveContour::warnings(const SurfaceSupport& support) const {
   std::vector<Finding> warnings;

@@ -118,7 +118,8 @@ class ActiveContour {
   bool isPinned(int vertex) const;
   //! Bytes of a copy that are its own: not the image.
   std::size_t memory() const;
-  //! Where the image shows an edge at the surface as it is now, and where none.
+  //! Where the image shows an edge at the surface as it is now, and where none. Of no face where the surface
+  //! is not the image's (StartSurface::isDone).
   SurfaceSupport support() const;
   //! What in the image speaks against the surface as it is now (image_warnings.h), and once it has ended the
   //! clicks that it does not heed. `support`: of the surface as it is now.

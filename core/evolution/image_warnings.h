@@ -14,12 +14,14 @@ class ObjectImage;
 //! carries the surface there; nothing, at the border of the volume.
 enum class FaceSupport : unsigned char { edge, none, border };
 
-//! How the image supports a surface.
+//! How the image supports a surface; as it is made here, of one that was not compared with the image.
 struct SurfaceSupport {
   std::vector<FaceSupport> faces;  //!< one per face, in the order of Mesh::compact()
   //! Part of the surface (by area, 0 … 1) with FaceSupport::none; what lies at the border does not count.
   double withoutEdge = 0;
   double atBorder = 0;  //!< part of the surface (by area, 0 … 1) with FaceSupport::border
+  //! False for a surface of so many faces that was never compared with the image: then nothing else holds.
+  bool covers(std::size_t count) const { return faces.size() == count; }
 };
 
 //! A face is without an edge if across it the intensity hardly changes: over two voxels along the normal by

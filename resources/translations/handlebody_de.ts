@@ -2255,6 +2255,14 @@
         <translation>%1 %</translation>
     </message>
     <message>
+        <source>not compared with the image</source>
+        <translation>nicht mit dem Bild verglichen</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>nicht verglichen</translation>
+    </message>
+    <message>
         <source>moving</source>
         <translation>bewegt sich</translation>
     </message>

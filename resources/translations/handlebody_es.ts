@@ -2255,6 +2255,14 @@
         <translation>%1 %</translation>
     </message>
     <message>
+        <source>not compared with the image</source>
+        <translation>sin comparar con la imagen</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>sin comparar</translation>
+    </message>
+    <message>
         <source>moving</source>
         <translation>en movimiento</translation>
     </message>

@@ -2255,6 +2255,14 @@
         <translation>%1 %</translation>
     </message>
     <message>
+        <source>not compared with the image</source>
+        <translation>non comparé à l’image</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>non comparé</translation>
+    </message>
+    <message>
         <source>moving</source>
         <translation>en mouvement</translation>
     </message>

@@ -2255,6 +2255,14 @@
         <translation>%1 %</translation>
     </message>
     <message>
+        <source>not compared with the image</source>
+        <translation>未与图像比较</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>未比较</translation>
+    </message>
+    <message>
         <source>moving</source>
         <translation>移动中</translation>
     </message>

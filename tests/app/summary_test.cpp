@@ -78,6 +78,7 @@ TEST_CASE("table and JSON of a summary say the same", "[summary]") {
   CHECK(cells["case"] == kEvil);
   CHECK(cells["volume_mm3"] == "1234.5");
   CHECK(cells["genus"] == "1;0");
+  CHECK(cells["unsupported_surface"].empty());  // it was not compared with the image
   CHECK(cells["largest_diameter_mm"] == "12.25");
   CHECK(cells["principal_extents_mm"] == "12.0;7.5;3.0");
   CHECK(cells["mean_intensity"] == "-4.5");

@@ -55,7 +55,7 @@ RunReport completed(PendingReport pending, const WrittenMesh& mesh, const Volume
   made.warnings.insert(made.warnings.end(), shown.warnings.begin(), shown.warnings.end());
   made.warnings.insert(made.warnings.end(), known.begin(), known.end());
   for (Finding& d : pinWarnings(made)) made.warnings.push_back(std::move(d));
-  made.unsupportedSurface = shown.support.withoutEdge;
+  if (shown.support.covers(shown.mesh.triangles.size())) made.unsupportedSurface = shown.support.withoutEdge;
   Timings& s = made.seconds;
   s.exported = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   s.total = s.load + s.prepare + s.evolve + s.exported;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/model/document.h"
 #include "ui/model/translate.h"
 #include "ui/view/overlay.h"
 
@@ -23,6 +24,18 @@ QString percentOf(double part) {
   if (part > 0 && part < 0.01) return tr("less than 1 %");
   const int percent = static_cast<int>(std::lround(100 * part));
   return tr("%1 %").arg(part < 1 ? std::min(percent, 99) : percent);
+}
+
+//! Beside a key. A long text would hide the surface in a small view.
+bool fits(const QString& text, const QSizeF& size) {
+  constexpr double kRoom = 0.7;  // of the width
+  return QFontMetricsF(overlayFont(0.95)).horizontalAdvance(text) < kRoom * size.width();
+}
+
+void paintNotCompared(QPainter& painter, const QSizeF& size) {
+  const QString whole = tr("not compared with the image");
+  paintKey(painter, {kOverlayMargin, firstLine()}, faceSupportColour(FaceSupport::border),
+           fits(whole, size) ? whole : tr("not compared"));
 }
 
 }  // namespace
@@ -61,12 +74,12 @@ void paintStateLegend(QPainter& painter) {
              names[state]);
 }
 
-void paintSupportLegend(QPainter& painter, const QSizeF& size, const SurfaceSupport& support) {
+void paintSupportLegend(QPainter& painter, const QSizeF& size, const MeshSnapshot& mesh) {
+  const SurfaceSupport& support = mesh.support;
+  if (!support.covers(mesh.mesh.triangles.size())) return paintNotCompared(painter, size);
   const QString part = percentOf(support.withoutEdge);
   const QString whole = tr("no edge in the image: %1 of the surface").arg(part);
-  constexpr double kRoom = 0.7;  // of the width: a long text would hide the surface in a small view
-  const bool fits = QFontMetricsF(overlayFont(0.95)).horizontalAdvance(whole) < kRoom * size.width();
-  const QString texts[] = {tr("edge in the image"), fits ? whole : tr("no edge: %1").arg(part),
+  const QString texts[] = {tr("edge in the image"), fits(whole, size) ? whole : tr("no edge: %1").arg(part),
                            tr("border of the volume")};
   double y = firstLine();
   for (FaceSupport kind : {FaceSupport::edge, FaceSupport::none, FaceSupport::border}) {

@@ -13,8 +13,8 @@ void paintTriad(QPainter& painter, const QSizeF& size, const CameraPose& pose);
 //! What the colours of the mesh mean, under the title.
 void paintStateLegend(QPainter& painter);
 //! What the colours of the support by the image mean, under the title, with the part without an edge; shorter
-//! in a narrow view.
-void paintSupportLegend(QPainter& painter, const QSizeF& size, const SurfaceSupport& support);
+//! in a narrow view. Of a surface that was not compared with the image, that.
+void paintSupportLegend(QPainter& painter, const QSizeF& size, const MeshSnapshot& mesh);
 //! What the colour of pinned faces means, over the triad.
 void paintPinLegend(QPainter& painter, const QSizeF& size);
 //! What a stage of an event shows.

@@ -243,7 +243,9 @@ void SurfaceScene::Private::colour(const MeshSnapshot& snapshot, MeshColouring c
   if (colouring == MeshColouring::state && snapshot.states.size() == faces)
     mesh.setColours({faceStateColour(0), faceStateColour(1), faceStateColour(2), faceStateColour(3)},
                     reinterpret_cast<const unsigned char*>(snapshot.states.data()), faces);
-  else if (colouring == MeshColouring::support && snapshot.support.faces.size() == faces)
+  else if (colouring == MeshColouring::support && !snapshot.support.covers(faces))
+    mesh.setColour(kAroundColour);  // what was not compared has neither edge nor none
+  else if (colouring == MeshColouring::support)
     mesh.setColours({faceSupportColour(FaceSupport::edge), faceSupportColour(FaceSupport::none),
                      faceSupportColour(FaceSupport::border)},
                     reinterpret_cast<const unsigned char*>(snapshot.support.faces.data()), faces);

@@ -82,7 +82,7 @@ void SurfaceView::Private::paintMeaning(QPainter& painter, const QSizeF& size) {
   else if (mesh && state.meshColouring() == MeshColouring::state)
     paintStateLegend(painter);
   else if (mesh && !mesh->mesh.triangles.empty() && state.meshColouring() == MeshColouring::support)
-    paintSupportLegend(painter, size, mesh->support);
+    paintSupportLegend(painter, size, *mesh);
   if (content.hasPins()) paintPinLegend(painter, size);
 }
 

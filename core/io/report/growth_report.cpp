@@ -61,7 +61,7 @@ void addWarnings(const ActiveContour& contour, const TriangleSoup& mesh, RunRepo
   add(leakWarnings(report));
   add(questionWarnings(report));
   add(pinWarnings(report));
-  report.unsupportedSurface = support.withoutEdge;
+  if (support.covers(contour.mesh().faceCount())) report.unsupportedSurface = support.withoutEdge;
 }
 
 }  // namespace handlebody

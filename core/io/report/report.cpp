@@ -226,7 +226,7 @@ void addObject(Json& json, const RunReport& report) {
   json["stopped"] = endName(report);
   json["warnings"] = sentences(report.warnings);
   json["findings"] = findingsToJson(report.warnings);
-  json["unsupported_surface"] = report.unsupportedSurface;
+  json["unsupported_surface"] = report.unsupportedSurface ? Json(*report.unsupportedSurface) : Json();
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
   if (report.polish) json["polish"] = polishToJson(*report.polish);

@@ -48,7 +48,8 @@ struct RunReport {
   VolumeInfo volume;                        //!< its grid and where that comes from, warnings
   //! About the result: hardly grown, a close choice, much of it on the volume's border.
   std::vector<Finding> warnings;
-  double unsupportedSurface = 0;  //!< part of the surface where the image shows no edge
+  //! Part of the surface where the image shows no edge; none if it was not compared with the image.
+  std::optional<double> unsupportedSurface{};
   int iterations = 0;
   StopReason stopped = StopReason::running;
   Timings seconds;

@@ -1,6 +1,10 @@
 // Meshes and label maps as objects of a Document.
 
 #include "ui/model/opened_objects.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include "core/collision/body_contact.h"
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/label_map.h"
@@ -292,6 +296,23 @@ TEST_CASE("codes of a file that are not ours stay with its object, and how it wa
     CHECK(written().terminology == source.terminology);
     CHECK_FALSE(written().algorithm);
   }
+}
+
+TEST_CASE("what is opened as done is not said to have an edge all around", "[objects][opened]") {
+  OpeningWork work;
+  Document& document = work.document;
+  REQUIRE(work.open(work.ball(), OpenAs::done));
+  REQUIRE(waitFor([&] { return work.isShown(0); }));
+  document.setActiveObject(0);
+  CHECK(document.snapshot()->support.faces.empty());
+  const QString report = work.torus.file("report.json"), again = work.torus.file("again.json");
+  work.written.clear();
+  document.exportReport(report);
+  REQUIRE(work.isWritten(report));
+  REQUIRE(runCli({QStringLiteral("replay"), report, QStringLiteral("-o"), work.torus.file("again.stl"),
+                  QStringLiteral("--report"), again, QStringLiteral("--quiet")}) == 0);
+  for (const QString& path : {report, again})
+    CHECK(QJsonDocument::fromJson(bytesOf(path)).object()[QLatin1String("unsupported_surface")].isNull());
 }
 
 TEST_CASE("an encapsulated STL is opened as any mesh", "[objects][opened]") {

@@ -135,6 +135,13 @@ void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector
   Q_EMIT document.snapshotChanged();
 }
 
+void forgetSupport(Document& document) {
+  auto snapshot = std::make_shared<MeshSnapshot>(*states().at(&document)->snapshot);
+  snapshot->support = {};
+  states().at(&document)->snapshot = snapshot;
+  Q_EMIT document.snapshotChanged();
+}
+
 void setOthers(Document& document, const std::vector<ObjectInfo>& others) {
   states().at(&document)->others = others;
   Q_EMIT document.objectsChanged();

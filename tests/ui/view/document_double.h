@@ -15,6 +15,8 @@ void setVolume(Document& document, const Volume& volume);
 //! `certified`: it bounds a body.
 void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& states = {},
                  const SurfaceSupport& support = {}, bool certified = false);
+//! As if what was given last had never been compared with the image.
+void forgetSupport(Document& document);
 //! As if another time point were shown.
 void setFrame(Document& document, const Volume& volume);
 //! Objects besides the active one.

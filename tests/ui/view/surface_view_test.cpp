@@ -122,6 +122,25 @@ TEST_CASE("The legend of the support tells the part without an edge, in a narrow
   }
 }
 
+TEST_CASE("Of a surface that was not compared with the image the legend says that, and no edge is claimed",
+          "[surface_view]") {
+  Surface surface;
+  if (!surface.ready()) return;
+  surface.setSphere();
+  surface.state.setMeshColouring(MeshColouring::support);
+  const QRect middle(150, 100, 100, 100), keys(8, 32, 12, 70);
+  const QImage compared = surface.picture();
+  CHECK(countPixels(compared, middle, isWarm) > 1000);
+  CHECK(countPixels(compared, keys, isUnsupported) > 30);
+  forgetSupport(surface.document);
+  const QImage unknown = surface.picture();
+  CHECK(countPixels(unknown, middle, isWarm) == 0);
+  CHECK(countPixels(unknown, keys, isWarm) == 0);
+  CHECK(countPixels(unknown, keys, isUnsupported) == 0);
+  const auto light = [](const QColor& c) { return c.lightness() > 150; };
+  CHECK(countPixels(unknown, QRect(24, 32, 180, 70), light) > 50);
+}
+
 TEST_CASE("Edges are drawn on request", "[surface_view]") {
   Surface surface;
   if (!surface.ready()) return;
