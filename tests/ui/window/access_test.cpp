@@ -7,6 +7,7 @@
 #include <QAccessible>
 #include <QButtonGroup>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollBar>
@@ -155,6 +156,7 @@ class AccessTest : public QObject {
   void whatIsAskedWhileNothingIsOpenIsReachedAndNamed();
   void anEventAndAnIterationAreChosenByKeys();
   void keysChooseInAListThatDropsDown();
+  void aWordIsDeletedInAFieldAndNoObject();
   void itIsSeenThatTheTimelineHasTheFocus();
   void keysScrollTheGuideAtOnceAndEscapeClosesIt();
   void everyKeyIsOnThePageOfKeysAndInTheTip();
@@ -316,6 +318,29 @@ void AccessTest::keysChooseInAListThatDropsDown() {
   }
   QCOMPARE(document.seeds().size(), seeds);
   QVERIFY(document.state() == GrowthState::none || document.state() == GrowthState::finished);
+}
+
+//! Ctrl and Backspace delete the active object elsewhere.
+void AccessTest::aWordIsDeletedInAFieldAndNoObject() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")) && activate(*window));
+  const ui::Document& document = window->document();
+  QTest::keyClick(window.get(), Qt::Key_N, Qt::ControlModifier);
+  QCOMPARE(document.objectCount(), 2);
+  window->showStep(Command::stepTune);
+  QDoubleSpinBox* curvature = numberField(*window, "Curvature");
+  QVERIFY(curvature);
+  QLineEdit line(QStringLiteral("two words"), window.get());
+  line.show();
+  for (QWidget* field : {static_cast<QWidget*>(curvature), static_cast<QWidget*>(&line)}) {
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Backspace, Qt::ControlModifier);
+    QCOMPARE(document.objectCount(), 2);
+  }
+  QCOMPARE(line.text(), QStringLiteral("two "));
+  line.setReadOnly(true);  // there it means nothing, and is the window's
+  QTest::keyClick(&line, Qt::Key_Backspace, Qt::ControlModifier);
+  QCOMPARE(document.objectCount(), 1);
 }
 
 void AccessTest::itIsSeenThatTheTimelineHasTheFocus() {

@@ -20,6 +20,15 @@ bool wants(const QObject* control, int key) {
   return false;
 }
 
+//! Qt's fields know how to delete a word, but leave its key to whoever has it as a shortcut.
+bool deletesWord(const QObject* control, const QKeyEvent& key) {
+  if (!key.matches(QKeySequence::DeleteStartOfWord) && !key.matches(QKeySequence::DeleteEndOfWord))
+    return false;
+  const auto* line = qobject_cast<const QLineEdit*>(control);
+  const auto* spin = qobject_cast<const QAbstractSpinBox*>(control);
+  return (line && !line->isReadOnly()) || (spin && !spin->isReadOnly());
+}
+
 //! Qt takes a choice in a combo box's list when it asks whose key it is, in a filter that runs after this
 //! one: the key is the list's, and goes on to it.
 bool isChoiceInPopup(const QObject* control, int key) {
@@ -32,7 +41,8 @@ bool isChoiceInPopup(const QObject* control, int key) {
 bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return false;
   const auto* key = static_cast<QKeyEvent*>(event);
-  if (key->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !wants(watched, key->key())) return false;
+  const bool isPlain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+  if (!(isPlain && wants(watched, key->key())) && !deletesWord(watched, *key)) return false;
   event->accept();
   return !isChoiceInPopup(watched, key->key());
 }
