@@ -11,8 +11,9 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollBar>
-#include <QTableView>
+#include <QTableWidget>
 #include <QToolButton>
+#include <QUndoStack>
 
 #include "tests/ui/window/window_support.h"
 #include "ui/window/commands.h"
@@ -157,6 +158,8 @@ class AccessTest : public QObject {
   void anEventAndAnIterationAreChosenByKeys();
   void keysChooseInAListThatDropsDown();
   void aWordIsDeletedInAFieldAndNoObject();
+  void lettersInAComboBoxRunNoCommand();
+  void deleteInAListDeletesWhatItLists();
   void itIsSeenThatTheTimelineHasTheFocus();
   void keysScrollTheGuideAtOnceAndEscapeClosesIt();
   void everyKeyIsOnThePageOfKeysAndInTheTip();
@@ -341,6 +344,45 @@ void AccessTest::aWordIsDeletedInAFieldAndNoObject() {
   line.setReadOnly(true);  // there it means nothing, and is the window's
   QTest::keyClick(&line, Qt::Key_Backspace, Qt::ControlModifier);
   QCOMPARE(document.objectCount(), 1);
+}
+
+//! They choose among what it offers.
+void AccessTest::lettersInAComboBoxRunNoCommand() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")) && activate(*window));
+  QComboBox box(window.get());
+  box.addItems({QStringLiteral("first"), QStringLiteral("wide")});
+  box.show();
+  box.setFocus();
+  QTest::keyClick(&box, Qt::Key_W);
+  QCOMPARE(box.currentIndex(), 1);
+  QVERIFY(!window->commands()[Command::windowLevelTool]->isChecked());
+  QTest::keyClick(window.get(), Qt::Key_W);  // elsewhere it does
+  QVERIFY(window->commands()[Command::windowLevelTool]->isChecked());
+}
+
+void AccessTest::deleteInAListDeletesWhatItLists() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")) && activate(*window));
+  ui::Document& document = window->document();
+  QTableWidget other(1, 1, window.get());
+  other.show();
+  window->showStep(Command::stepSeed);
+  QTableWidget* seeds = nullptr;
+  const auto tables = window->findChildren<QTableWidget*>();
+  for (QTableWidget* table : tables)
+    if (table->accessibleName() == "Seeds") seeds = table;
+  QVERIFY(seeds);
+  for (Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace}) {
+    document.selectSeed(0);
+    other.setFocus();
+    QTest::keyClick(&other, key);
+    QCOMPARE(document.seeds().size(), std::size_t{1});
+    seeds->setFocus();
+    QTest::keyClick(seeds, key);
+    QCOMPARE(document.seeds().size(), std::size_t{0});
+    document.undoStack()->undo();
+  }
 }
 
 void AccessTest::itIsSeenThatTheTimelineHasTheFocus() {

@@ -15,6 +15,7 @@
 #include "ui/window/commands.h"
 #include "ui/window/seed/object_choice.h"
 #include "ui/window/widgets/action_button.h"
+#include "ui/window/widgets/key_guard.h"
 #include "ui/window/widgets/numbers.h"
 #include "ui/window/widgets/panel_tools.h"
 #include "ui/window/widgets/value_field.h"
@@ -117,6 +118,7 @@ void SeedPanel::buildTable() {
   table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("Seeds"));
   table_->setFixedHeight(kSeedTableHeight);
+  KeyGuard::leaveDeletion(*table_);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) { select(row); });
 }
 

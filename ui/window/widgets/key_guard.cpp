@@ -11,11 +11,19 @@ namespace handlebody::ui {
 
 namespace {
 
-bool wants(const QObject* control, int key) {
+constexpr char kDeletesByShortcut[] = "deletesByShortcut";
+
+//! A closed combo box looks for the choice that begins with what is typed.
+bool isTyped(const QString& text) { return !text.isEmpty() && text.front().isPrint(); }
+
+bool wants(const QObject* control, const QKeyEvent& event) {
+  const int key = event.key();
   const bool space = key == Qt::Key_Space, enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  const bool isDelete = key == Qt::Key_Delete || key == Qt::Key_Backspace;
   if (qobject_cast<const QAbstractButton*>(control)) return space;
-  if (qobject_cast<const QComboBox*>(control)) return space || enter;
-  if (qobject_cast<const QAbstractItemView*>(control)) return space || enter;
+  if (qobject_cast<const QComboBox*>(control)) return space || enter || isTyped(event.text());
+  if (qobject_cast<const QAbstractItemView*>(control))
+    return space || enter || (isDelete && !control->property(kDeletesByShortcut).toBool());
   if (qobject_cast<const QAbstractSpinBox*>(control) || qobject_cast<const QLineEdit*>(control)) return enter;
   return false;
 }
@@ -38,11 +46,13 @@ bool isChoiceInPopup(const QObject* control, int key) {
 
 }  // namespace
 
+void KeyGuard::leaveDeletion(QAbstractItemView& view) { view.setProperty(kDeletesByShortcut, true); }
+
 bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return false;
   const auto* key = static_cast<QKeyEvent*>(event);
   const bool isPlain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-  if (!(isPlain && wants(watched, key->key())) && !deletesWord(watched, *key)) return false;
+  if (!(isPlain && wants(watched, *key)) && !deletesWord(watched, *key)) return false;
   event->accept();
   return !isChoiceInPopup(watched, key->key());
 }
