@@ -62,6 +62,9 @@ std::vector<SeedCircle> SliceInteraction::circles() const {
 // --- mouse ---
 
 bool SliceInteraction::press(const QMouseEvent& event) {
+  if (drag_ != Drag::none && event.button() != button_ && (event.buttons() & button_)) return true;
+  cancel();  // what was held by a button whose release came to nobody
+  button_ = event.button();
   start_ = last_ = event.position();
   const bool shift = event.modifiers() & Qt::ShiftModifier;
   if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && shift))
@@ -96,6 +99,7 @@ void SliceInteraction::startLeftDrag(const QPointF& pixel) {
     return;
   }
   seed_ = grab.seed;
+  seedCount_ = document_.seeds().size();
   gesture_ = ViewState::nextGesture();
   document_.selectSeed(seed_);
   drag_ = grab.part == SeedGrab::Part::rim ? Drag::resizeSeed : Drag::moveSeed;
@@ -103,7 +107,13 @@ void SliceInteraction::startLeftDrag(const QPointF& pixel) {
   seedOffset_ = geometry_.worldToScreen(centre) - pixel;
 }
 
+//! It may be deleted by a key, or by undoing, while the mouse has hold of it; another one may have its place.
+bool SliceInteraction::isSeedLost() const {
+  return (drag_ == Drag::moveSeed || drag_ == Drag::resizeSeed) && document_.seeds().size() != seedCount_;
+}
+
 bool SliceInteraction::move(const QMouseEvent& event) {
+  if (isSeedLost()) cancel();
   const QPointF pixel = event.position(), step = pixel - last_, all = pixel - start_;
   last_ = pixel;
   switch (drag_) {
@@ -139,7 +149,8 @@ bool SliceInteraction::move(const QMouseEvent& event) {
   return true;
 }
 
-bool SliceInteraction::release(const QMouseEvent&) {
+bool SliceInteraction::release(const QMouseEvent& event) {
+  if (drag_ != Drag::none && event.button() != button_) return true;
   const bool wasDragging = drag_ != Drag::none;
   if (drag_ == Drag::brush) hand_.lift();
   // A click on a seed that drags nothing is a click: the crosshair goes there as anywhere else.
@@ -352,7 +363,7 @@ QCursor SliceInteraction::cursorAt(const QPointF& pixel) const {
   if (drag_ == Drag::moveSeed) return Qt::SizeAllCursor;
   if (state_.windowLevelTool()) return contrast_;
   if (state_.brush().isOn()) return brushCursor(pixel);
-  if (drag_ == Drag::resizeSeed && seed_ >= 0) return rimCursor({SeedGrab::Part::rim, seed_}, pixel);
+  if (drag_ == Drag::resizeSeed && !isSeedLost()) return rimCursor({SeedGrab::Part::rim, seed_}, pixel);
   if (drag_ == Drag::crosshair) return Qt::CrossCursor;
   const SeedGrab grab = seedAt(circles(), pixel, document_.selectedSeed());
   if (grab.part == SeedGrab::Part::rim) return rimCursor(grab, pixel);

@@ -51,6 +51,7 @@ class SliceInteraction {
 
   void startLeftDrag(const QPointF& pixel);
   std::optional<Vec3> nearestOfOutline(const QPointF& pixel) const;
+  bool isSeedLost() const;
   void setCrosshairAt(const QPointF& pixel);
   void moveSeedTo(const QPointF& pixel);
   void stepCrosshair(int axis, int voxels);
@@ -69,11 +70,13 @@ class SliceInteraction {
   BrushHand hand_;
   std::function<const std::vector<std::array<Vec3, 2>>&()> outline_;
   Drag drag_ = Drag::none;
+  Qt::MouseButton button_ = Qt::NoButton;  // that drags
   QPointF start_, last_;
   WindowLevel startWindow_;
   QPointF seedOffset_;  // from the mouse to the centre of the seed
   int seed_ = -1, gesture_ = -1;
-  int wheelAngle_ = 0;  // what is left of a turn smaller than a notch, 1/8 degree
+  std::size_t seedCount_ = 0;  // when the mouse took hold of one
+  int wheelAngle_ = 0;         // what is left of a turn smaller than a notch, 1/8 degree
   const QCursor contrast_;
   QElapsedTimer toolKey_;
   bool toolWasOn_ = false, toolUsed_ = false;

@@ -60,6 +60,31 @@ TEST_CASE("The brush that pins lights up the outline under it, and the stroke is
   CHECK(unpinned(slice.document).size() == 1);
 }
 
+TEST_CASE("Another button in the middle of a stroke neither ends it nor moves the slice",
+          "[slice_view][pins]") {
+  SliceWithBall slice;
+  slice.state.brush().setMode(Brush::Mode::pin);
+  const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton button, Qt::MouseButtons held) {
+    QMouseEvent event(type, at, slice.view.mapToGlobal(at), button, held, {});
+    QCoreApplication::sendEvent(&slice.view, &event);
+  };
+  const Vec3 before = slice.under(kPlace);
+  send(QEvent::MouseButtonPress, slice.beside(12), Qt::LeftButton, Qt::LeftButton);
+  slice.moveTo(slice.beside(16), Qt::LeftButton);
+  for (const Qt::MouseButton other : {Qt::MiddleButton, Qt::RightButton}) {
+    send(QEvent::MouseButtonPress, slice.beside(16), other, Qt::LeftButton | other);
+    slice.moveTo(slice.beside(20), Qt::LeftButton | other);
+    send(QEvent::MouseButtonRelease, slice.beside(20), other, Qt::LeftButton);
+    CHECK(pinned(slice.document).empty());
+  }
+  slice.moveTo(slice.beside(24), Qt::LeftButton);
+  const std::vector<WallBall> stroke = slice.state.brush().stroke();
+  send(QEvent::MouseButtonRelease, slice.beside(24), Qt::LeftButton, Qt::NoButton);
+  REQUIRE(!stroke.empty());
+  CHECK(pinned(slice.document) == stroke);
+  CHECK((slice.under(kPlace) - before).norm() < 1e-9);
+}
+
 TEST_CASE("A surface that grows, or is locked away, is not touched by the brush", "[slice_view][pins]") {
   SliceWithBall slice;
   setGrowthState(slice.document, GrowthState::running);

@@ -273,6 +273,29 @@ TEST_CASE("Return adds a seed at the crosshair, Backspace removes it", "[slice_v
   CHECK(slice.document.seeds().empty());
 }
 
+TEST_CASE("A seed that is deleted while the mouse holds it is let go, and no other is dragged in its place",
+          "[slice_view]") {
+  OneSlice slice;
+  const Vec3 held = slice.state.crosshair(), other = held + Vec3(20, 0, 0);
+  const QPoint centre = slice.geometry.worldToScreen(held).toPoint();
+  for (const bool isAlone : {true, false}) {
+    slice.document.addSeed({held, 6.0});
+    if (!isAlone) slice.document.addSeed({other, 6.0});
+    for (const QPoint& grip : {centre, centre + QPoint(qRound(6 / slice.geometry.mmPerPixel()), 0)}) {
+      QTest::mousePress(&slice.view, Qt::LeftButton, {}, grip);
+      slice.document.removeSeed(0);
+      slice.under(grip + QPoint(30, 20));
+      slice.under(grip + QPoint(40, 20));
+      QTest::mouseRelease(&slice.view, Qt::LeftButton, {}, grip + QPoint(40, 20));
+      if (!isAlone) CHECK(slice.document.seeds().front() == Seed{other, 6.0});
+      while (!slice.document.seeds().empty()) slice.document.removeSeed(0);
+      slice.document.addSeed({held, 6.0});
+      if (!isAlone) slice.document.addSeed({other, 6.0});
+    }
+    while (!slice.document.seeds().empty()) slice.document.removeSeed(0);
+  }
+}
+
 TEST_CASE("Shift and Return add a click outside, which is dragged, sized and deleted like a seed",
           "[slice_view]") {
   OneSlice slice;
