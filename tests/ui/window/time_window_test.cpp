@@ -1,6 +1,7 @@
 // Time in the window by mouse and keys: the bar under the views, the surface carried on, the volume over
 // time, a frame corrected; and the sensitivity at one button.
 
+#include <QCheckBox>
 #include <QTableWidget>
 
 #include "tests/ui/window/layout_support.h"
@@ -51,6 +52,7 @@ class TimeWindowTest : public QObject {
   void initTestCase() { QVERIFY(sample_.make()); }
   void theBarIsForVolumesWithTimeOnly();
   void mouseAndKeysGoThroughTime();
+  void theTintIsOfTheFrameThatIsGrownInAlone();
   void aClickInThePlotGoesToTheFrame();
   void aFrameIsCorrectedAndTheRestIsCarriedAgain();
   void oneButtonTellsTheSensitivity();
@@ -91,6 +93,23 @@ void TimeWindowTest::mouseAndKeysGoThroughTime() {
   QVERIFY(shows(*window, 1));
   QTest::keyClick(&view, Qt::Key_T);
   QVERIFY(!window->document().time().isPlaying());
+}
+
+//! In another frame the object has moved.
+void TimeWindowTest::theTintIsOfTheFrameThatIsGrownInAlone() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample_.session));
+  QVERIFY(QTest::qWaitFor([&] { return window->document().resolved().has_value(); }, kPatience));
+  const auto boxes = window->findChildren<QCheckBox*>();
+  for (QCheckBox* box : boxes)
+    if (box->text() == "Tint the object in the slices") box->setChecked(true);
+  QVERIFY(window->viewState().tint());
+  window->document().time().show(2);
+  QVERIFY(shows(*window, 2));
+  QVERIFY(!window->viewState().tint());
+  window->document().time().show(0);
+  QVERIFY(shows(*window, 0));
+  QVERIFY(window->viewState().tint());
 }
 
 void TimeWindowTest::aClickInThePlotGoesToTheFrame() {

@@ -13,6 +13,7 @@
 
 #include "core/evolution/parameter_limits.h"
 #include "ui/model/document.h"
+#include "ui/model/time_series.h"
 #include "ui/view/view_state.h"
 #include "ui/window/tune/histogram_view.h"
 #include "ui/window/tune/intensity_field.h"
@@ -57,6 +58,7 @@ TunePanel::TunePanel(Document& document, ViewState& state, QWidget* parent)
   connect(tintEnds_, &QTimer::timeout, this, &TunePanel::updateTint);
   connect(&document_, &Document::opened, this, &TunePanel::countIntensities);
   connect(&document_, &Document::opened, this, &TunePanel::boundLengths);
+  connect(&document_, &Document::frameShown, this, &TunePanel::updateTint);
   for (auto changed :
        {&Document::opened, &Document::parametersChanged, &Document::resolvedChanged, &Document::seedsChanged})
     connect(&document_, changed, this, &TunePanel::show);
@@ -229,7 +231,8 @@ void TunePanel::tintForAWhile() {
 }
 
 void TunePanel::updateTint() {
-  const bool tinted = keepTint_->isChecked() || tintEnds_->isActive();
+  // What is tinted is found in the frame that is worked in.
+  const bool tinted = document_.time().showsWorkFrame() && (keepTint_->isChecked() || tintEnds_->isActive());
   const std::optional<IntensityRange> range = tinted ? shownRange() : std::nullopt;
   state_.setTint(range ? std::optional(Tint{document_.objectImage(), *range}) : std::nullopt);
 }
