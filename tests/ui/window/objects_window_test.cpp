@@ -10,6 +10,7 @@
 #include "core/collision/body_contact.h"
 #include "tests/ui/window/two_balls.h"
 #include "ui/window/objects/object_dialog.h"
+#include "ui/window/timeline/event_table.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -45,6 +46,7 @@ class ObjectsWindowTest : public QObject {
   void withOneObjectTheListIsOutOfTheWay();
   void twoObjectsGrowOneAfterTheOther();
   void theListIsDrivenByMouseAndKeys();
+  void theTableOfEventsIsThatOfTheActiveObject();
   void propertiesAreChangedInADialog();
   void aTermOfAFileStandsFirstUntilAnotherIsChosen();
 };
@@ -128,6 +130,20 @@ void ObjectsWindowTest::theListIsDrivenByMouseAndKeys() {
   QCOMPARE(document.objectCount(), 2);
   QTest::keyClick(window.get(), Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
   QCOMPARE(document.objectCount(), 3);
+}
+
+//! Also where the two have equally many.
+void ObjectsWindowTest::theTableOfEventsIsThatOfTheActiveObject() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  QTest::keyClick(window.get(), Qt::Key_N, Qt::ControlModifier);
+  auto* events = window->findChild<ui::EventTable*>();
+  QVERIFY(events);
+  const QSignalSpy reset(events, &QAbstractItemModel::modelReset);
+  window->document().setActiveObject(0);
+  QVERIFY(!reset.isEmpty());
+  QCOMPARE(events->rowCount(), 0);
 }
 
 void ObjectsWindowTest::propertiesAreChangedInADialog() {

@@ -14,18 +14,32 @@ enum Column { kIteration, kKind, kPlace, kGenus, kComponents, kColumns };
 
 EventTable::EventTable(Document& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
-  for (auto changed : {&Document::summariesChanged, &Document::stateChanged, &Document::opened})
+  for (auto changed : {&Document::summariesChanged, &Document::stateChanged})
     connect(&document_, changed, this, &EventTable::refresh);
+  for (auto changed : {&Document::activeObjectChanged, &Document::opened})
+    connect(&document_, changed, this, &EventTable::reset);
   refresh();
+}
+
+std::vector<int> EventTable::shownEvents() const {
+  std::vector<int> rows;
+  const std::vector<Event>& events = document_.events();
+  for (int i = 0; i < static_cast<int>(events.size()); ++i)
+    if (repairs_ || changesTopology(events[i].kind)) rows.push_back(i);
+  return rows;
+}
+
+// Of another object: rows with the same numbers are other events.
+void EventTable::reset() {
+  beginResetModel();
+  rows_ = shownEvents();
+  endResetModel();
 }
 
 // Events come at the end or are dropped from there; rows that stay are not touched, so that a selection
 // stays.
 void EventTable::refresh() {
-  std::vector<int> rows;
-  const std::vector<Event>& events = document_.events();
-  for (int i = 0; i < static_cast<int>(events.size()); ++i)
-    if (repairs_ || changesTopology(events[i].kind)) rows.push_back(i);
+  std::vector<int> rows = shownEvents();
   const bool grew = rows.size() > rows_.size() && std::equal(rows_.begin(), rows_.end(), rows.begin());
   if (grew) {
     beginInsertRows({}, static_cast<int>(rows_.size()), static_cast<int>(rows.size()) - 1);

@@ -26,7 +26,9 @@ class EventTable : public QAbstractTableModel {
   void showRepairs(bool on);
 
  private:
+  std::vector<int> shownEvents() const;
   void refresh();
+  void reset();
   QString text(int row, int column) const;
 
   Document& document_;
