@@ -71,6 +71,7 @@ class PanelTest : public QObject {
   void whatAnEventDidCanBeForbiddenAndAllowedAgain();
   void onlyChangesOfTopologyAreListedUntilMoreIsAsked();
   void aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom();
+  void aRangeOfSmallIntensitiesIsShownAndEntered();
   void theObjectThatIsTakenAndTheWaysFromItAreSaidWithTheirVolumes();
   void withoutAChoiceNothingJumps();
   void bracketsStepThroughTheObjectsBySize();
@@ -303,6 +304,27 @@ void PanelTest::aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom() {
   QVERIFY(!commands[Command::run]->isEnabled());
   QVERIFY2(commands[Command::undo]->text().contains("Add click outside"),
            qPrintable(commands[Command::undo]->text()));
+}
+
+void PanelTest::aRangeOfSmallIntensitiesIsShownAndEntered() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("small.nii.gz");
+  const auto intensity = [](int i, int j, int k) { return 1e-5 * (i + 0.1 * j + 0.01 * k); };
+  writeVolume(testing::volumeByIndex(testing::cubicGrid(24), intensity), path.toStdString());
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, path));
+  ui::Document& document = window->document();
+  Parameters parameters = document.parameters();
+  parameters.range = IntensityRange{2e-5, 6e-5};
+  document.setParameters(parameters, QStringLiteral("Change range"));
+  QDoubleSpinBox* high = numberField(*window, "Highest intensity of the object");
+  QVERIFY(high);
+  QTRY_COMPARE(high->value(), 6e-5);                 // the intensities are counted on a thread of their own
+  QCOMPARE(document.parameters().range->low, 2e-5);  // nothing was rounded by that
+  high->setValue(7e-5);
+  QCOMPARE(document.parameters().range->high, 7e-5);
+  high->stepUp();
+  QVERIFY(document.parameters().range->high > 7e-5 && document.parameters().range->high < 8e-5);
 }
 
 void PanelTest::theObjectThatIsTakenAndTheWaysFromItAreSaidWithTheirVolumes() {

@@ -8,6 +8,7 @@ namespace handlebody::ui {
 
 namespace {
 
+constexpr int kFewestDecimals = 2;
 constexpr double kOpen = 1e9;  // stands for an open end; no scanner writes such intensities
 
 const QString kUnknown = QStringLiteral("–");
@@ -21,7 +22,7 @@ bool isInfinityText(const QString& text) {
 
 IntensityField::IntensityField(QWidget* parent) : QDoubleSpinBox(parent) {
   setRange(-kOpen, kOpen);
-  setDecimals(2);
+  setDecimals(kFewestDecimals);
   setKeyboardTracking(false);
 }
 
@@ -31,6 +32,16 @@ double IntensityField::end() const {
 }
 
 void IntensityField::setEnd(double end) { setValue(std::clamp(end, -kOpen, kOpen)); }
+
+// A thousandth of the width is told apart: less than a step.
+void IntensityField::setScale(double width) {
+  constexpr int kDecimals = 10;    // at most
+  constexpr double kAcross = 200;  // steps
+  const bool isKnown = width > 0 && std::isfinite(width);
+  const double digits = isKnown ? 3 - std::floor(std::log10(width)) : 0;
+  setDecimals(static_cast<int>(std::clamp<double>(digits, kFewestDecimals, kDecimals)));
+  setSingleStep((isKnown ? width : 1) / kAcross);
+}
 
 void IntensityField::setKnown(bool known) {
   known_ = known;

@@ -14,6 +14,8 @@ class IntensityField : public QDoubleSpinBox {
   //! The end, infinite if it is open.
   double end() const;
   void setEnd(double end);
+  //! For intensities of this width, from the least to the largest: decimals and steps that are fine in it.
+  void setScale(double width);
   //! While it is not known, a dash is shown.
   void setKnown(bool known);
 

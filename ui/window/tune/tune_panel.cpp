@@ -245,8 +245,9 @@ void TunePanel::countIntensities() {
         const bool current = document_.hasVolume() && document_.volume().voxels == voxels;
         if (!current) return;
         histogram_->setHistogram(histogram);
-        const double width = histogram.high - histogram.low;
-        for (IntensityField* field : {low_, high_}) field->setSingleStep(std::max(width / 200, 0.01));
+        const QSignalBlocker quietLow(low_), quietHigh(high_);  // what is rounded is no entry
+        for (IntensityField* field : {low_, high_}) field->setScale(histogram.high - histogram.low);
+        showRange();
       });
 }
 
