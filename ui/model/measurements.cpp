@@ -91,12 +91,12 @@ void Measurements::apply(const std::vector<Measurement>& measurements, int selec
   Q_EMIT changed();
 }
 
-QString measuredValue(const Measurement& measurement) {
+QString measuredValue(const Measurement& measurement, int decimals) {
   const QLocale locale;
   const double value = valueOf(measurement);
-  constexpr double kFine = 10;  // mm, below which a hundredth is shown
+  constexpr double kFine = 10;  // mm, below which there is a decimal more
   if (measurement.kind == MeasurementKind::angle) return locale.toString(value, 'f', 1) + QStringLiteral("°");
-  return locale.toString(value, 'f', value < kFine ? 2 : 1) + QStringLiteral(" mm");
+  return locale.toString(value, 'f', value < kFine ? decimals : decimals - 1) + QStringLiteral(" mm");
 }
 
 }  // namespace handlebody::ui

@@ -45,7 +45,8 @@ class Measurements : public QObject {
   int selected_ = -1;
 };
 
-//! "12.3 mm" or "45.6°" in the user's locale.
-QString measuredValue(const Measurement& measurement);
+//! "12.3 mm" or "45.6°" in the user's locale. `decimals`: of a length below 10 mm; of a longer one it is one
+//! less.
+QString measuredValue(const Measurement& measurement, int decimals = 2);
 
 }  // namespace handlebody::ui

@@ -10,6 +10,7 @@
 
 #include "ui/model/document.h"
 #include "ui/model/measurements.h"
+#include "ui/view/length_decimals.h"
 #include "ui/view/measure_tool.h"
 #include "ui/view/other_outlines.h"
 #include "ui/view/overlay.h"
@@ -73,6 +74,7 @@ class Painter {
 
   void paint(const Document& document, const MeasureTool& tool) {
     painter_.setRenderHint(QPainter::Antialiasing);
+    decimals_ = lengthDecimals(document.volume().grid);
     paintLine(tool);
     const Measurements& list = document.measurements();
     for (int i = 0; i < static_cast<int>(list.all().size()); ++i)
@@ -118,7 +120,7 @@ class Painter {
     if (m.kind == MeasurementKind::angle) arc(m, colour);
     for (const Vec3& p : m.points) handle(p, colour);
     if (m.kind == MeasurementKind::ruler)
-      label(m.points[0], m.points[1], measuredValue(m), colour);
+      label(m.points[0], m.points[1], measuredValue(m, decimals_), colour);
     else if (to_.shows(m.points[1]))
       paintText(painter_, to_.toScreen(m.points[1]) + QPointF(10, 12), Qt::AlignLeft | Qt::AlignTop,
                 measuredValue(m), overlayFont(1, true), colour);
@@ -143,7 +145,7 @@ class Painter {
     stroke(points, kSelected);
     for (const Vec3& p : tool.placed()) handle(p, kSelected);
     if (points.size() == 2 && tool.mode() == MeasureTool::Mode::ruler)
-      label(points[0], points[1], measuredValue({MeasurementKind::ruler, points}), kSelected);
+      label(points[0], points[1], measuredValue({MeasurementKind::ruler, points}, decimals_), kSelected);
   }
 
   void paintLine(const MeasureTool& tool) {
@@ -163,6 +165,7 @@ class Painter {
 
   QPainter& painter_;
   Projection to_;
+  int decimals_ = 2;  // of lengths
 };
 
 std::optional<MeasurementGrab> nearest(const Projection& to, const Document& document, const QPointF& pixel) {

@@ -58,6 +58,8 @@ TEST_CASE("rulers and angles are undone and redone, and a drag is one change", "
   CHECK(list.nameOf(1) == "Angle 2");
   CHECK(measuredValue(list.all()[0]) == "5.00 mm");
   CHECK(measuredValue(list.all()[1]) == "90.0°");
+  const Measurement fine{MeasurementKind::ruler, {{0, 0, 0}, {0.0234, 0, 0}}};
+  CHECK(measuredValue(fine, 5) == "0.02340 mm");  // as fine as the voxels ask for
   for (int i = 1; i <= 5; ++i) list.movePoint(0, 1, Vec3(i, 0, 0), 7);
   CHECK(work.document.isModified());
   work.document.undoStack()->undo();

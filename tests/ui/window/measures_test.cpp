@@ -163,6 +163,7 @@ class MeasuresTest : public QObject {
   void theTableHasTheMeasuresOfTheShownSurface();
   void anotherSurfaceIsMeasuredAnew();
   void measuringIsCancelled();
+  void aRulerIsAsFineAsTheVoxels();
   void aRulerIsPlacedByClicksListedAndDeleted();
   void theBrushAndTheRulerDoNotHaveTheMouseBoth();
   void aCentreLineIsPlottedAndPointedAtInTheViews();
@@ -241,6 +242,23 @@ void MeasuresTest::measuringIsCancelled() {
   QVERIFY(!page.isMeasuring());
   QTest::qWait(600);
   QVERIFY(!page.isMeasuring());  // not begun again by itself
+}
+
+void MeasuresTest::aRulerIsAsFineAsTheVoxels() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("fine.nii.gz");
+  Grid grid = testing::cubicGrid(20);
+  grid.spacing = Vec3::Constant(0.002);
+  writeVolume(testing::volumeByIndex(grid, [](int i, int j, int k) { return i + j + k; }),
+              path.toStdString());
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, path));
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  window->document().measurements().add({MeasurementKind::ruler, {{0, 0, 0}, {0.0061, 0, 0}}});
+  window->measures().show(MeasuresPanel::Page::rulers);
+  QTableWidget* table = tableNamed(*window, "Rulers and angles");
+  QVERIFY(table && table->rowCount() == 1);
+  QCOMPARE(table->item(0, 1)->text(), QString("0.0061 mm"));
 }
 
 void MeasuresTest::aRulerIsPlacedByClicksListedAndDeleted() {

@@ -11,6 +11,7 @@
 #include "core/io/report/measured.h"
 #include "ui/model/document.h"
 #include "ui/model/measurements.h"
+#include "ui/view/length_decimals.h"
 #include "ui/view/view_state.h"
 #include "ui/window/commands.h"
 #include "ui/window/widgets/numbers.h"
@@ -101,9 +102,10 @@ void RulersPage::showRows() {
   for (int i = 0; i < count; ++i) {
     const Measurement& m = list.all()[i];
     table_->setItem(i, 0, listCell(list.nameOf(i)));
-    table_->setItem(i, 1, listCell(measuredValue(m)));
+    const Grid& grid = document_.volume().grid;
+    table_->setItem(i, 1, listCell(measuredValue(m, lengthDecimals(grid))));
     table_->item(i, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    table_->setItem(i, 2, listCell(place(m.points.front(), document_.volume().grid)));
+    table_->setItem(i, 2, listCell(place(m.points.front(), grid)));
   }
   if (list.selected() >= 0)
     table_->selectRow(list.selected());
