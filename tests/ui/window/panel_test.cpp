@@ -72,6 +72,7 @@ class PanelTest : public QObject {
   void onlyChangesOfTopologyAreListedUntilMoreIsAsked();
   void aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom();
   void aRangeOfSmallIntensitiesIsShownAndEntered();
+  void smallVolumesAndDistancesKeepTheirDigits();
   void theObjectThatIsTakenAndTheWaysFromItAreSaidWithTheirVolumes();
   void withoutAChoiceNothingJumps();
   void bracketsStepThroughTheObjectsBySize();
@@ -325,6 +326,17 @@ void PanelTest::aRangeOfSmallIntensitiesIsShownAndEntered() {
   QCOMPARE(document.parameters().range->high, 7e-5);
   high->stepUp();
   QVERIFY(document.parameters().range->high > 7e-5 && document.parameters().range->high < 8e-5);
+}
+
+void PanelTest::smallVolumesAndDistancesKeepTheirDigits() {
+  QCOMPARE(ui::fineNumber(12.346), QString("12.35"));
+  QCOMPARE(ui::fineNumber(0.00012346), QString("0.0001235"));
+  QCOMPARE(ui::fineNumber(0.0012346, 2), QString("0.0012"));  // a deviation
+  QCOMPARE(ui::fineNumber(1.26e-7), QString("0.0000001"));
+  QCOMPARE(ui::fineNumber(1e-12), QString("0.0000"));  // no row of noughts
+  QCOMPARE(ui::fineNumber(0), ui::number(0));
+  QCOMPARE(ui::millimetres(0.0012346), QString("0.00123 mm"));
+  QCOMPARE(ui::millilitres(0.000012346), QString("0.0000123 mm³"));
 }
 
 void PanelTest::theObjectThatIsTakenAndTheWaysFromItAreSaidWithTheirVolumes() {

@@ -202,7 +202,7 @@ void TunnelsList::addTunnels(std::vector<Row>& rows) const {
     Row row;
     row.tunnel = &t;
     row.what = tr("Tunnel");
-    row.size = QStringLiteral("%1 / %2").arg(number(t.handleLength, 3), millimetres(t.tunnelLength));
+    row.size = QStringLiteral("%1 / %2").arg(fineNumber(t.handleLength, 3), millimetres(t.tunnelLength));
     row.detail = tr("%1 around its handle, %2 round the tunnel")
                      .arg(millimetres(t.handleLength), millimetres(t.tunnelLength));
     if (!t.canCutHandle || !t.canFillTunnel) row.detail += tr("; knotted");

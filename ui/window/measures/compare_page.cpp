@@ -35,7 +35,7 @@ constexpr int kLabelLetters = 10;   // at least; longer names are shortened
 
 const QString kNotCompared = QStringLiteral("–");
 
-QString volumeOf(const Solid& s) { return s.isClosed() ? number(s.volume() / 1000) : kNotCompared; }
+QString volumeOf(const Solid& s) { return s.isClosed() ? fineNumber(s.volume() / 1000) : kNotCompared; }
 
 QString genusOf(const Solid& s) {
   const auto& g = s.certificate.genus;
@@ -59,16 +59,17 @@ std::vector<Row> rowsOf(const ComparedPair& pair) {
   std::vector<Row> rows{{tr("Dice"), share(f.dice), {}}, {tr("IoU"), share(f.iou), {}}};
   if (f.distances)
     rows.insert(rows.end(),
-                {{tr("Mean distance of the surfaces, ASSD (mm)"), number(f.distances->mean(), 3), {}},
-                 {tr("95 % Hausdorff distance (mm)"), number(f.distances->percentile95(), 3), {}},
-                 {tr("Hausdorff distance (mm)"), number(f.distances->hausdorff(), 3), {}}});
+                {{tr("Mean distance of the surfaces, ASSD (mm)"), fineNumber(f.distances->mean(), 3), {}},
+                 {tr("95 % Hausdorff distance (mm)"), fineNumber(f.distances->percentile95(), 3), {}},
+                 {tr("Hausdorff distance (mm)"), fineNumber(f.distances->hausdorff(), 3), {}}});
   rows.push_back({tr("Volume (ml)"), volumeOf(a), volumeOf(b)});
   if (a.isClosed() && b.isClosed() && b.volume() > 0) {
     const double more = a.volume() - b.volume();
-    rows.push_back({tr("Volume, difference (ml)"), number(more / 1000),
+    rows.push_back({tr("Volume, difference (ml)"), fineNumber(more / 1000),
                     tr("%1 %").arg(number(100 * more / b.volume(), 3))});
   }
-  rows.push_back({tr("Area (cm²)"), number(a.certificate.area / 100), number(b.certificate.area / 100)});
+  rows.push_back(
+      {tr("Area (cm²)"), fineNumber(a.certificate.area / 100), fineNumber(b.certificate.area / 100)});
   rows.push_back({tr("Components"), count(a), count(b)});
   rows.push_back({tr("Tunnels"), genusOf(a), genusOf(b)});
   rows.push_back({tr("Cavities"), cavities(a), cavities(b)});

@@ -48,12 +48,13 @@ QStringList measureCells(const Measured& m, const MeasuredObject& o) {
   for (const MeasuredGap& gap : m.gaps)
     if (otherOf(gap, o) && (!nearest || gap.gap.distance < nearest->gap.distance)) nearest = &gap;
   const QString none = QStringLiteral("–");
-  return {nameOf(o.name),
-          number(s.volume / 1000),
-          number(s.area / 100),
-          number(s.largest.distance, 4),
-          in ? tr("%1 ± %2").arg(number(in->mean), number(in->deviation, 3)) : none,
-          nearest ? tr("%1: %2").arg(nameOf(*otherOf(*nearest, o)), number(nearest->gap.distance, 3)) : none};
+  return {
+      nameOf(o.name),
+      fineNumber(s.volume / 1000),
+      fineNumber(s.area / 100),
+      fineNumber(s.largest.distance),
+      in ? tr("%1 ± %2").arg(fineNumber(in->mean), fineNumber(in->deviation, 3)) : none,
+      nearest ? tr("%1: %2").arg(nameOf(*otherOf(*nearest, o)), fineNumber(nearest->gap.distance, 3)) : none};
 }
 
 QString measureDetails(const Measured& m, const MeasuredObject& o, const Grid& grid) {
@@ -66,7 +67,7 @@ QString measureDetails(const Measured& m, const MeasuredObject& o, const Grid& g
         << tr("Centroid: %1 LPS").arg(place(s.centroid, grid));
   if (const IntensityInside* in = intensityOf(o))
     lines << tr("Intensity %1 to %2, %3 voxels")
-                 .arg(number(in->minimum), number(in->maximum),
+                 .arg(fineNumber(in->minimum), fineNumber(in->maximum),
                       QLocale().toString(static_cast<qulonglong>(in->voxels)));
   const Certificate& c = o.certificate;
   lines << tr("Components %1, cavities %2, tunnels %3")
@@ -97,7 +98,7 @@ QString lineSummary(const MeasuredLine& m) {
 QString sectionText(const CentreLinePoint& p) {
   if (!p.area) return tr("at %1: no section").arg(millimetres(p.along));
   return tr("at %1: %2 mm², Ø %3")
-      .arg(millimetres(p.along), number(*p.area), millimetres(p.equivalentDiameter()));
+      .arg(millimetres(p.along), fineNumber(*p.area), millimetres(p.equivalentDiameter()));
 }
 
 }  // namespace handlebody::ui

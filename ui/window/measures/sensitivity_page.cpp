@@ -173,8 +173,8 @@ void SensitivityPage::showTable() {
     const QStringList cells{
         grew ? QString::number(++counted)
              : tr("%1: %2").arg(QString::number(++counted), QString::fromStdString(run.failure)),
-        grew ? ui::number(run.volume / 1000) : kNotGrown, grew ? QString::number(run.components) : kNotGrown,
-        grew ? QString::number(run.genus) : kNotGrown, grew ? ui::number(run.distance) : kNotGrown};
+        grew ? fineNumber(run.volume / 1000) : kNotGrown, grew ? QString::number(run.components) : kNotGrown,
+        grew ? QString::number(run.genus) : kNotGrown, grew ? fineNumber(run.distance) : kNotGrown};
     for (int c = 0; c < cells.size(); ++c) {
       table_->setItem(at, c, listCell(cells[c]));
       if (c > 0) table_->item(at, c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -193,7 +193,7 @@ void SensitivityPage::showState() {
   QString text, volume;
   if (answer_.found && answer_.found->grown > 0) {
     const Sensitivity& s = *answer_.found;
-    volume = tr("%1 ± %2 ml").arg(number(s.mean / 1000), number(s.deviation / 1000, 2));
+    volume = tr("%1 ± %2 ml").arg(fineNumber(s.mean / 1000), fineNumber(s.deviation / 1000, 2));
     text = tr("%1 to %2 in %3 of %4 runs, %5 of the same topology. The surface moves by %6, 95 % of it by "
               "less than "
               "%7.")

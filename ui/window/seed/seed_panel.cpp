@@ -48,7 +48,7 @@ QTableWidgetItem* cell(const QString& text) {
 QString radiusText(const Document& document, int index) {
   const double radius = document.shownRadius(index);
   const bool automatic = !document.seeds()[index].radius;
-  const QString text = number(radius, 3);
+  const QString text = fineNumber(radius, 3);
   return automatic ? SeedPanel::tr("%1 (auto)").arg(text) : text;
 }
 

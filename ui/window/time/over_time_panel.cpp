@@ -47,7 +47,7 @@ QString stateOf(const TimeSeries& time, int frame) {
 
 QString volumeOf(const TimeSeries& time, int frame) {
   const FrameResult* result = time.resultOf(frame);
-  return result && result->volume > 0 ? number(result->volume / 1000) : kNoValue;
+  return result && result->volume > 0 ? fineNumber(result->volume / 1000) : kNoValue;
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void HistogramView::setRange(const std::optional<IntensityRange>& range, bool au
 }
 
 void HistogramView::describeRange() {
-  setAccessibleDescription(range_ ? tr("From %1 to %2").arg(number(range_->low), number(range_->high))
+  setAccessibleDescription(range_ ? tr("From %1 to %2").arg(fineNumber(range_->low), fineNumber(range_->high))
                                   : tr("No range yet"));
 }
 
@@ -162,9 +162,9 @@ void HistogramView::paintEvent(QPaintEvent*) {
   painter.setPen(palette().color(QPalette::WindowText));
   const QRectF labels(area().left(), area().bottom() + 4, area().width(), kLabels - 4);
   painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter,
-                   number(histogram_.whole ? std::ceil(histogram_.low) : histogram_.low, 3));
+                   fineNumber(histogram_.whole ? std::ceil(histogram_.low) : histogram_.low, 3));
   painter.drawText(labels, Qt::AlignRight | Qt::AlignVCenter,
-                   number(histogram_.whole ? std::floor(histogram_.high) : histogram_.high, 3));
+                   fineNumber(histogram_.whole ? std::floor(histogram_.high) : histogram_.high, 3));
 }
 
 }  // namespace handlebody::ui

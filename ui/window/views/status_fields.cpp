@@ -76,7 +76,7 @@ void StatusFields::showCursor(const Vec3& world, const Vec3& index, double inten
   QStringList voxel;
   for (int axis = 0; axis < 3; ++axis) voxel << QString::number(std::lround(index[axis]));
   voxel_->setText(tr("Voxel %1").arg(voxel.join(QStringLiteral(", "))));
-  intensity_->setText(tr("Intensity %1").arg(number(intensity)));
+  intensity_->setText(tr("Intensity %1").arg(fineNumber(intensity)));
 }
 
 void StatusFields::clearCursor() {

@@ -8,24 +8,37 @@
 
 namespace handlebody::ui {
 
-QString number(double value, int digits) {
+namespace {
+
+constexpr int kMostDecimals = 7;
+
+QString written(double value, int digits, int mostDecimals) {
   if (std::isinf(value)) return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
   const int magnitude = value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return QLocale().toString(value, 'f', std::clamp(digits - 1 - magnitude, 0, digits));
+  return QLocale().toString(value, 'f', std::clamp(digits - 1 - magnitude, 0, mostDecimals));
+}
+
+}  // namespace
+
+QString number(double value, int digits) { return written(value, digits, digits); }
+
+QString fineNumber(double value, int digits) {
+  const bool isSeen = std::abs(value) >= std::pow(10, -kMostDecimals);
+  return written(value, digits, isSeen ? std::max(digits, kMostDecimals) : digits);
 }
 
 QString millilitres(double cubicMillimetres, int digits) {
   constexpr double kSmall = 10;  // mm³
   if (cubicMillimetres != 0 && std::abs(cubicMillimetres) < kSmall)
-    return number(cubicMillimetres, digits) + QStringLiteral(" mm³");
+    return fineNumber(cubicMillimetres, digits) + QStringLiteral(" mm³");
   return number(cubicMillimetres / 1000, digits) + QStringLiteral(" ml");
 }
 
 QString squareCentimetres(double squareMillimetres) {
-  return number(squareMillimetres / 100) + QStringLiteral(" cm²");
+  return fineNumber(squareMillimetres / 100) + QStringLiteral(" cm²");
 }
 
-QString millimetres(double value) { return number(value, 3) + QStringLiteral(" mm"); }
+QString millimetres(double value) { return fineNumber(value, 3) + QStringLiteral(" mm"); }
 
 QString place(const Vec3& world, const Grid& grid) {
   const QLocale locale;

@@ -9,6 +9,9 @@ namespace handlebody::ui {
 
 //! `value` with as many decimals as make `digits` significant digits, at most `digits` of them.
 QString number(double value, int digits = 4);
+//! `value` with `digits` significant digits also where that is small in its unit: with up to seven decimals.
+//! What is smaller than all of them is written as by number().
+QString fineNumber(double value, int digits = 4);
 //! mm³ in, "12.34 ml" out, or "1.234 mm³" below a hundredth of a millilitre.
 QString millilitres(double cubicMillimetres, int digits = 4);
 //! mm² in, "45.6 cm²" out.
