@@ -397,8 +397,10 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   setCursor(d_->interaction.cursorAt(event->position()));
 }
 
+//! Two quick dabs of a tool are two.
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton)
+  const bool isTools = d_->state.brush().isOn() || d_->state.windowLevelTool();
+  if (event->button() == Qt::LeftButton && !isTools)
     Q_EMIT maximiseRequested();
   else
     mousePressEvent(event);

@@ -73,6 +73,7 @@ void SurfaceView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SurfaceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (d_->state.brush().isFor3d()) return mousePressEvent(event);  // two quick dabs are two
   if (event->button() == Qt::LeftButton) Q_EMIT maximiseRequested();
 }
 

@@ -25,6 +25,10 @@ struct SliceWithBall : OneSlice {
     QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, buttons, {});
     QCoreApplication::sendEvent(&view, &move);
   }
+  void send(QEvent::Type type, const QPoint& at, Qt::MouseButton button, Qt::MouseButtons held) {
+    QMouseEvent event(type, at, view.mapToGlobal(at), button, held, {});
+    QCoreApplication::sendEvent(&view, &event);
+  }
   const Vec3 middle = geometry.toWorld(kPlace);
 };
 
@@ -64,25 +68,43 @@ TEST_CASE("Another button in the middle of a stroke neither ends it nor moves th
           "[slice_view][pins]") {
   SliceWithBall slice;
   slice.state.brush().setMode(Brush::Mode::pin);
-  const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton button, Qt::MouseButtons held) {
-    QMouseEvent event(type, at, slice.view.mapToGlobal(at), button, held, {});
-    QCoreApplication::sendEvent(&slice.view, &event);
-  };
   const Vec3 before = slice.under(kPlace);
-  send(QEvent::MouseButtonPress, slice.beside(12), Qt::LeftButton, Qt::LeftButton);
+  slice.send(QEvent::MouseButtonPress, slice.beside(12), Qt::LeftButton, Qt::LeftButton);
   slice.moveTo(slice.beside(16), Qt::LeftButton);
   for (const Qt::MouseButton other : {Qt::MiddleButton, Qt::RightButton}) {
-    send(QEvent::MouseButtonPress, slice.beside(16), other, Qt::LeftButton | other);
+    slice.send(QEvent::MouseButtonPress, slice.beside(16), other, Qt::LeftButton | other);
     slice.moveTo(slice.beside(20), Qt::LeftButton | other);
-    send(QEvent::MouseButtonRelease, slice.beside(20), other, Qt::LeftButton);
+    slice.send(QEvent::MouseButtonRelease, slice.beside(20), other, Qt::LeftButton);
     CHECK(pinned(slice.document).empty());
   }
   slice.moveTo(slice.beside(24), Qt::LeftButton);
   const std::vector<WallBall> stroke = slice.state.brush().stroke();
-  send(QEvent::MouseButtonRelease, slice.beside(24), Qt::LeftButton, Qt::NoButton);
+  slice.send(QEvent::MouseButtonRelease, slice.beside(24), Qt::LeftButton, Qt::NoButton);
   REQUIRE(!stroke.empty());
   CHECK(pinned(slice.document) == stroke);
   CHECK((slice.under(kPlace) - before).norm() < 1e-9);
+}
+
+TEST_CASE("Two quick dabs of the brush are two, and do not maximise the view", "[slice_view][pins]") {
+  SliceWithBall slice;
+  int maximised = 0;
+  QObject::connect(&slice.view, &SliceView::maximiseRequested, [&] { ++maximised; });
+  const auto doubleClick = [&] {
+    for (const auto type : {QEvent::MouseButtonPress, QEvent::MouseButtonDblClick}) {
+      slice.send(type, slice.beside(12), Qt::LeftButton, Qt::LeftButton);
+      slice.send(QEvent::MouseButtonRelease, slice.beside(12), Qt::LeftButton, Qt::NoButton);
+    }
+  };
+  slice.state.brush().setMode(Brush::Mode::smooth);
+  doubleClick();
+  CHECK(edits(slice.document).size() == 2);
+  slice.state.brush().setMode(Brush::Mode::off);
+  slice.state.setWindowLevelTool(true);
+  doubleClick();
+  CHECK(maximised == 0);
+  slice.state.setWindowLevelTool(false);
+  doubleClick();
+  CHECK(maximised == 1);
 }
 
 TEST_CASE("A surface that grows, or is locked away, is not touched by the brush", "[slice_view][pins]") {

@@ -68,6 +68,24 @@ TEST_CASE("Beside the surface the brush is the camera's, and Ctrl and the wheel 
   CHECK(pinned(ball.document).empty());
 }
 
+TEST_CASE("In 3D two quick dabs of the brush are two, and do not maximise the view", "[surface_view][pull]") {
+  Ball ball;
+  if (!ball.ready()) return;
+  int maximised = 0;
+  QObject::connect(&ball.view, &SurfaceView::maximiseRequested, [&] { ++maximised; });
+  const QPoint centre = ball.centre();
+  for (const Brush::Mode mode : {Brush::Mode::smooth, Brush::Mode::off}) {
+    ball.state.brush().setMode(mode);
+    QTest::mouseClick(&ball.view, Qt::LeftButton, {}, centre);
+    QMouseEvent second(QEvent::MouseButtonDblClick, centre, ball.view.mapToGlobal(centre), Qt::LeftButton,
+                       Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&ball.view, &second);
+    QTest::mouseRelease(&ball.view, Qt::LeftButton, {}, centre);
+    CHECK(edits(ball.document).size() == 2);
+    CHECK(maximised == (mode == Brush::Mode::off ? 1 : 0));
+  }
+}
+
 TEST_CASE("A fast stroke leaves no gap, and none goes through the air", "[surface_view][pins]") {
   Ball ball;
   if (!ball.ready()) return;
