@@ -19,6 +19,8 @@ constexpr double kZoomPixels = 150;  // of a drag that zooms by a factor of e
 constexpr double kZoomNotch = 1.2;
 constexpr double kClickReach = 14;  // pixels from the outline at which a pull takes hold of it
 constexpr int kNotch = 120;         // Qt's angle of one notch of a wheel
+// Keys with them are not a slice's.
+constexpr auto kOthers = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
 
 //! Half black, half white, as on a monitor's contrast knob.
 QCursor contrastCursor() {
@@ -260,8 +262,11 @@ bool SliceInteraction::arrowKey(int key, int voxels) {
   }
 }
 
+bool SliceInteraction::isOwnKey(const QKeyEvent& event) {
+  return event.key() == Qt::Key_W && !(event.modifiers() & (kOthers | Qt::ShiftModifier));
+}
+
 bool SliceInteraction::keyPress(const QKeyEvent& event) {
-  constexpr auto kOthers = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
   if (event.modifiers() & kOthers) return false;
   if (arrowKey(event.key(), event.modifiers() & Qt::ShiftModifier ? 5 : 1)) return true;
   if (seedKey(event)) return true;

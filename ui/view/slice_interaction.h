@@ -33,6 +33,8 @@ class SliceInteraction {
   bool release(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool keyPress(const QKeyEvent& event);
+  //! True for a key that means more here than as a shortcut of the window: it matters how long it is held.
+  static bool isOwnKey(const QKeyEvent& event);
   bool keyRelease(const QKeyEvent& event);
   //! The outline of the active surface in the slice, mm: what a pull takes hold of.
   void setOutline(std::function<const std::vector<std::array<Vec3, 2>>&()> outline);

@@ -414,6 +414,13 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   tellHoverAgain();
 }
 
+bool SliceView::event(QEvent* event) {
+  const bool isAsked = event->type() == QEvent::ShortcutOverride && d_->document.hasVolume();
+  if (!isAsked || !SliceInteraction::isOwnKey(*static_cast<QKeyEvent*>(event))) return QWidget::event(event);
+  event->accept();  // the release of a shortcut would not be told
+  return true;
+}
+
 void SliceView::keyPressEvent(QKeyEvent* event) {
   if (!d_->document.hasVolume() || !d_->interaction.keyPress(*event)) QWidget::keyPressEvent(event);
 }

@@ -38,6 +38,7 @@ class SliceView : public QWidget {
   void maximiseRequested();  //!< double click
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;

@@ -21,6 +21,25 @@ bool belongsToSurfaceView(Command id) {
   return id == Command::lookFromAbove || id == Command::lookFromFront || id == Command::lookFromLeft;
 }
 
+//! Those that go on by a little each time. A key that is held a moment too long is no second command else.
+bool repeats(Command id) {
+  switch (id) {
+    case Command::undo:
+    case Command::redo:
+    case Command::growSeed:
+    case Command::shrinkSeed:
+    case Command::largerBrush:
+    case Command::smallerBrush:
+    case Command::stepForward:
+    case Command::stepBack:
+    case Command::previousFrame:
+    case Command::nextFrame:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 Commands::Commands(QUndoStack* undoStack, QObject* parent) : QObject(parent) {
@@ -36,6 +55,7 @@ QAction* Commands::make(const CommandSpec& spec, QUndoStack* undoStack) {
   else
     action = new QAction(translated(spec.text), this);
   action->setShortcuts(keysOf(spec));
+  action->setAutoRepeat(repeats(spec.id));
   if (belongsToSurfaceView(spec.id)) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   if (*spec.icon) action->setIcon(icon(QString::fromLatin1(spec.icon)));
   action->setStatusTip(translated(spec.tip));

@@ -160,6 +160,8 @@ class AccessTest : public QObject {
   void aWordIsDeletedInAFieldAndNoObject();
   void lettersInAComboBoxRunNoCommand();
   void deleteInAListDeletesWhatItLists();
+  void aKeyThatIsHeldRepeatsWhatGoesOnByALittleOnly();
+  void windowAndLevelAreDraggedWhileTheKeyIsHeld();
   void itIsSeenThatTheTimelineHasTheFocus();
   void keysScrollTheGuideAtOnceAndEscapeClosesIt();
   void everyKeyIsOnThePageOfKeysAndInTheTip();
@@ -383,6 +385,36 @@ void AccessTest::deleteInAListDeletesWhatItLists() {
     QCOMPARE(document.seeds().size(), std::size_t{0});
     document.undoStack()->undo();
   }
+}
+
+void AccessTest::aKeyThatIsHeldRepeatsWhatGoesOnByALittleOnly() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  for (Command id : {Command::run, Command::addSeed, Command::deleteSeed, Command::paintWalls,
+                     Command::windowLevelTool, Command::deleteObject, Command::playFrames})
+    QVERIFY2(!window->commands()[id]->autoRepeat(), qPrintable(window->commands()[id]->text()));
+  for (Command id : {Command::stepForward, Command::growSeed, Command::largerBrush, Command::nextFrame})
+    QVERIFY2(window->commands()[id]->autoRepeat(), qPrintable(window->commands()[id]->text()));
+}
+
+//! As long as it is held; after a short press until the next.
+void AccessTest::windowAndLevelAreDraggedWhileTheKeyIsHeld() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")) && activate(*window));
+  ui::SliceView& view = window->views().slice(ui::Plane::axial);
+  const ui::ViewState& state = window->viewState();
+  view.setFocus();
+  QTest::keyPress(&view, Qt::Key_W);
+  QVERIFY(state.windowLevelTool() && window->commands()[Command::windowLevelTool]->isChecked());
+  const QPoint middle = view.rect().center();
+  QTest::mousePress(&view, Qt::LeftButton, {}, middle);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, middle);
+  QTest::keyRelease(&view, Qt::Key_W);
+  QVERIFY(!state.windowLevelTool() && !window->commands()[Command::windowLevelTool]->isChecked());
+  QTest::keyClick(&view, Qt::Key_W);
+  QVERIFY(state.windowLevelTool());
+  QTest::keyClick(&view, Qt::Key_W);
+  QVERIFY(!state.windowLevelTool());
 }
 
 void AccessTest::itIsSeenThatTheTimelineHasTheFocus() {
