@@ -95,6 +95,14 @@ void orNoObject(FrameResult& result, F&& grow) {
   }
 }
 
+//! It was asked for at this iteration; or later, and the surface is at rest already: it starts from another
+//! one than it did then.
+bool isDue(const ParameterChange& change, const ActiveContour& contour) {
+  const bool isAtRest =
+      contour.stopReason() != StopReason::running && contour.stopReason() != StopReason::empty;
+  return change.iteration == contour.iteration() || isAtRest;
+}
+
 //! Between the grown frame and this one, this one among them, in the order in which they are carried.
 std::vector<const FrameCorrection*> correctionsUpTo(int frame, const OverTimeSettings& settings) {
   const int home = settings.grownFrame;
@@ -250,9 +258,9 @@ FrameResult FrameCarrier::corrected(const FrameCorrection& asked, const FrameRes
     contour.startFrom(Mesh(beginning), settings_.holdTopology);
     auto change = correction.changes.begin();
     while (contour.iteration() < correction.stopAt.value_or(std::numeric_limits<int>::max())) {
-      if (change != correction.changes.end() && change->iteration == contour.iteration()) {
-        contour.change(changed(contour.request(), *change));
-        ++change;
+      if (change != correction.changes.end() && isDue(*change, contour)) {
+        contour.change(changed(contour.request(), *change++));
+        continue;
       }
       if (contour.stopReason() != StopReason::running) break;
       for (const Leak& leak : contour.step().leaks) result.faults.push_back(leakFault(leak));

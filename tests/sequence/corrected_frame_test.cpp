@@ -107,6 +107,19 @@ TEST_CASE("what is changed on the way holds from that iteration on, and in the f
   CHECK_FALSE(other == correction);
 }
 
+TEST_CASE(
+    "what is changed after the surface was at rest is changed when it is at rest, if that is earlier now") {
+  GrownFrame grown = grownInFrame2();
+  FrameCorrection correction{3, carriedRequest(grown.settings, 3)};
+  const Parameters parameters = correction.request.parameters;
+  correction.changes = {{500, parameters, std::nullopt, walled()}};
+  grown.settings.corrections = {correction};
+  const FrameResult r = carrierOf(grown).carry(grown.result, 3);
+  CHECK(r.iterations < 500);
+  CHECK(r.under.walls == walled().walls);
+  CHECK(nearestToWall(r) > kWall.radius);
+}
+
 TEST_CASE("a correction that the frame cannot follow is told, and starts no other") {
   GrownFrame grown = grownInFrame2();
   FrameCorrection correction = walledIn3(grown);

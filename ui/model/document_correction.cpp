@@ -23,8 +23,10 @@ Session asSession(FrameCorrection c, const std::optional<MovedObject>& moved) {
   return session;
 }
 
-//! A surface that is given here is no file: it has moved from the frame beside it.
-FrameCorrection asCorrection(Session s, int frame) {
+//! A surface that is given here is no file: it has moved from the frame beside it. One that came to rest does
+//! so from another surface beside it, too, at another iteration.
+FrameCorrection asCorrection(Session s, int frame, StopReason stopped) {
+  if (stopped == StopReason::converged) s.stopAt.reset();
   const bool isOfMoved = s.constraints.start.has_value();
   s.constraints.start.reset();
   for (ParameterChange& change : s.changes)
@@ -133,7 +135,7 @@ void Document::Private::leaveCorrection() {
 std::vector<FrameCorrection> Document::Private::corrections() const {
   std::vector<FrameCorrection> all = time.request().corrections;
   if (corrected.isOpen() && active().growth().exists())
-    put(all, asCorrection(active().session(), time.workFrame()));
+    put(all, asCorrection(active().session(), time.workFrame(), active().growth().stopReason()));
   return all;
 }
 

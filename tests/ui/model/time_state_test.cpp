@@ -113,8 +113,6 @@ TEST_CASE("what was carried of one object is not shown as another's", "[document
   Document document;
   REQUIRE(carryFrom(document, heart));
   document.addObject();
-  document.addSeed({heart.seed, {}});
-  REQUIRE(runToEnd(document));
   document.removeObject(0);
   REQUIRE(document.objectCount() == 1);
   REQUIRE(showFrame(document, 3));
