@@ -48,6 +48,10 @@ constexpr FindingWords kWords[] = {
                        "volume's.")},
     {K::wallsEmpty, "walls-empty",
      QT_TRANSLATE_NOOP("Findings", "{file} cannot be used as walls: all of its voxels are 0.")},
+    {K::wallsOverTime, "walls-over-time",
+     QT_TRANSLATE_NOOP("Findings",
+                       "{file} cannot be used as walls: it has {frames:0f} time points, and walls are the "
+                       "same at all of them.")},
     {K::labelsEmpty, "labels-empty",
      QT_TRANSLATE_NOOP("Findings", "{file} holds no object: all of its voxels are 0.")},
     {K::tooManyLabels, "too-many-labels",

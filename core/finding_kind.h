@@ -176,6 +176,7 @@ enum class FindingKind {
   wallsOtherSize,     //!< file, size, volume
   wallsOtherPlace,    //!< file
   wallsEmpty,         //!< file
+  wallsOverTime,      //!< file, frames
   labelsEmpty,        //!< file
   tooManyLabels,      //!< file, most
   otherVolume,        //!< file, object
@@ -440,6 +441,7 @@ enum class FindingKind {
   spacingOverridden,  //!< x_mm, y_mm, z_mm
   frameZeroUsed,      //!< frames
   firstLayerUsed,     //!< layers
+  firstFrameUsed,     //!< frames
   uncalibrated,
   voxelsNotNumbers,  //!< none, voxels
 

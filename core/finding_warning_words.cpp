@@ -52,6 +52,8 @@ constexpr FindingWords kWords[] = {
          "Findings",
          "The segmentation has {layers:0f} layers, since segments overlap: only the segments of "
          "the first layer are read.")},
+    {K::firstFrameUsed, "first-frame-used",
+     QT_TRANSLATE_NOOP("Findings", "There are {frames:0f} time points; the first one is used.")},
     {K::uncalibrated, "uncalibrated",
      "The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is missing, "
      "and lengths and volumes mean nothing until {option:spacing} gives it."},

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/evolution/mesh_edit.h"
+#include "core/finding.h"
 #include "core/geometry/vec.h"
 #include "core/volume/volume.h"
 
@@ -38,6 +39,7 @@ struct WallMap {
   std::string sha256{};  //!< of that file; empty: not known
   //! One per voxel of the volume, x fastest; null: not read yet (loadWalls).
   std::shared_ptr<const std::vector<bool>> voxels{};
+  std::vector<Finding> warnings{};  //!< of the file, which they name; known once it was read
   //! The same voxels, or what is to be read from the same file.
   bool operator==(const WallMap& other) const;
 };
@@ -111,6 +113,7 @@ struct StartSurface {
   std::shared_ptr<const TriangleSoup> mesh{};
   Vec3 inside{0, 0, 0};    //!< mm LPS, a place deep inside: the click where there is none
   std::size_t shared = 0;  //!< voxels of the label that were left to smaller ones, which hold them, too
+  std::vector<Finding> warnings{};  //!< of the file, which they name; known once it was read
   //! The same surface, or what is to be read from the same file.
   bool operator==(const StartSurface& other) const;
 };

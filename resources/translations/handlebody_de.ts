@@ -2151,6 +2151,14 @@
         <source>it was carried from frame {from_frame}, whose surface failed</source>
         <translation>die Oberfläche wurde von Bild {from_frame} übernommen, wo sie gescheitert ist</translation>
     </message>
+    <message>
+        <source>{file} cannot be used as walls: it has {frames:0f} time points, and walls are the same at all of them.</source>
+        <translation>{file} kann nicht für Wände verwendet werden: Die Datei hat {frames:0f} Zeitpunkte, und Wände sind an allen dieselben.</translation>
+    </message>
+    <message>
+        <source>There are {frames:0f} time points; the first one is used.</source>
+        <translation>Es gibt {frames:0f} Zeitpunkte; der erste wird verwendet.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

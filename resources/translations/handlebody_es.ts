@@ -2151,6 +2151,14 @@
         <source>it was carried from frame {from_frame}, whose surface failed</source>
         <translation>la superficie viene del fotograma {from_frame}, donde falló</translation>
     </message>
+    <message>
+        <source>{file} cannot be used as walls: it has {frames:0f} time points, and walls are the same at all of them.</source>
+        <translation>{file} no puede servir de barreras: tiene {frames:0f} instantes, y las barreras son las mismas en todos.</translation>
+    </message>
+    <message>
+        <source>There are {frames:0f} time points; the first one is used.</source>
+        <translation>Hay {frames:0f} instantes; se usa el primero.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -2151,6 +2151,14 @@
         <source>it was carried from frame {from_frame}, whose surface failed</source>
         <translation>la surface vient de l’image {from_frame}, où elle a échoué</translation>
     </message>
+    <message>
+        <source>{file} cannot be used as walls: it has {frames:0f} time points, and walls are the same at all of them.</source>
+        <translation>{file} ne peut pas servir de barrières : ce fichier a {frames:0f} instants, et les barrières sont les mêmes à tous.</translation>
+    </message>
+    <message>
+        <source>There are {frames:0f} time points; the first one is used.</source>
+        <translation>Il y a {frames:0f} instants ; le premier est utilisé.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -2151,6 +2151,14 @@
         <source>it was carried from frame {from_frame}, whose surface failed</source>
         <translation>该曲面自第 {from_frame} 帧传递而来，而那一帧的曲面已失败</translation>
     </message>
+    <message>
+        <source>{file} cannot be used as walls: it has {frames:0f} time points, and walls are the same at all of them.</source>
+        <translation>{file} 不能用作屏障：它有 {frames:0f} 个时间点，而屏障在所有时间点都相同。</translation>
+    </message>
+    <message>
+        <source>There are {frames:0f} time points; the first one is used.</source>
+        <translation>共有 {frames:0f} 个时间点；使用第一个。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -90,3 +90,20 @@ TEST_CASE("a choice that is the only one, or was made by hand, is not doubted") 
   report.session.resolved->candidate = 2;
   CHECK(resultWarnings(report, sphere(20)).empty());
 }
+
+TEST_CASE(
+    "what is to be known of the files of walls and starts is told once, and anonymously without names") {
+  RunReport report = reportOf(StopReason::converged);
+  const std::vector<Finding> told{
+      {FindingKind::ofFile, {{"file", std::string("/doe/w.nrrd")}}, FindingKind::axesTakenAsLps}};
+  report.session.constraints.walls.map = WallMap{"/doe/w.nrrd", "ab", nullptr, told};
+  ParameterChange later;
+  later.constraints = report.session.constraints;
+  report.session.changes = {later};
+  report.warnings = resultWarnings(report, sphere(20));
+  REQUIRE(report.warnings.size() == 1);
+  CHECK(mentions(report.warnings, "/doe/w.nrrd: The header does not say"));
+  const RunReport shown = anonymous(report);
+  CHECK_FALSE(mentions(shown.warnings, "doe"));
+  CHECK(mentions(shown.warnings, "The header does not say"));
+}

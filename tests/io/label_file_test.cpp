@@ -2,7 +2,11 @@
 
 #include "core/io/report/label_file.h"
 
+#include <limits>
+
 #include "core/io/refuse_input.h"
+#include "core/io/report/start_surface.h"
+#include "core/io/report/wall_map.h"
 #include "core/told_error.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/overlapping_segments.h"
@@ -136,4 +140,83 @@ TEST_CASE("why a mask becomes no surface is told of its file, with the cause") {
     CHECK(findingOf(error).kind == FindingKind::noSurface);
     CHECK(findingOf(error).causes.at(0).kind == FindingKind::surfaceTooLarge);
   }
+}
+
+TEST_CASE("a wall is what any layer of a label map holds, and nothing else", "[labels]") {
+  const TemporaryFolder folder;
+  const std::vector<test::Segment> segments{
+      {"left", "1 0 0", [](const Vec3& p) { return p.x() < 5 && p.z() > 0; }},
+      {"upper", "0 1 0", [](const Vec3& p) { return p.x() < 7 && p.x() > 2 && p.y() > 3 && p.z() > 1; }}};
+  writeLayers(segments, someGrid(), folder / "l.seg.nrrd");
+  writeOverlappingDicom(segments, someGrid(), folder / "l.seg.dcm");
+  std::vector<bool> expected;
+  forEachVoxel(someGrid(),
+               [&](const Vec3& p) { expected.push_back(segments[0].holds(p) || segments[1].holds(p)); });
+  for (const char* name : {"l.seg.nrrd", "l.seg.dcm"}) {
+    INFO(name);
+    const WallMap map = readWallMap(folder / name, someGrid());
+    CHECK(*map.voxels == expected);
+    CHECK(map.warnings.empty());
+  }
+}
+
+namespace {
+
+//! An NRRD of someGrid() with what `lines` say of its voxels, and with those.
+std::string wallsFile(const std::string& lines, const std::string& voxels) {
+  return "NRRD0004\n" + lines + "endian: little\nencoding: raw\n\n" + voxels;
+}
+
+constexpr const char* kPlaced =
+    "space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n";
+
+}  // namespace
+
+TEST_CASE("walls of several time points or of values that are no whole numbers are refused", "[labels]") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "w.nrrd";
+  const std::size_t count = someGrid().voxelCount();
+  writeBytes(path, wallsFile("type: uint8\ndimension: 4\nsizes: 15 13 4 2\nkinds: domain domain domain time\n"
+                             "space: left-posterior-superior\n"
+                             "space directions: (1,0,0) (0,1,0) (0,0,1) none\nspace origin: (0,0,0)\n",
+                             std::string(2 * count, '\1')));
+  CHECK_THROWS_WITH(readWallMap(path, someGrid()), Contains(path) && Contains("2 time points"));
+  for (const float odd : {0.5F, std::numeric_limits<float>::quiet_NaN()}) {
+    std::vector<float> values(count, 0);
+    values[3] = 1;
+    values[5] = odd;
+    const std::string bytes(reinterpret_cast<const char*>(values.data()), count * sizeof(float));
+    writeBytes(path, wallsFile("type: float\ndimension: 3\nsizes: 15 13 4\n" + std::string(kPlaced), bytes));
+    CHECK_THROWS_WITH(readWallMap(path, someGrid()), Contains(path) && Contains("whole numbers"));
+  }
+}
+
+TEST_CASE("what is to be known of the files of walls and starts stands with them", "[labels]") {
+  const TemporaryFolder folder;
+  const std::string walls = folder / "w.nrrd", start = folder / "s.nrrd";
+  const std::size_t count = someGrid().voxelCount();
+  std::string voxels(count, '\0');
+  voxels[3] = '\1';
+  writeBytes(walls, wallsFile("type: uint8\ndimension: 3\nsizes: 15 13 4\nspacings: 1 1 1\n", voxels));
+  std::string times(2 * count, '\0');
+  forEachVoxel(someGrid(), [&, at = std::size_t{0}](const Vec3& p) mutable {
+    times[at++] = inBall(Vec3(7, 6, 1.5), 3)(p) ? '\1' : '\0';
+  });
+  writeBytes(start,
+             wallsFile("type: uint8\ndimension: 4\nsizes: 15 13 4 2\nkinds: domain domain domain time\n"
+                       "space: left-posterior-superior\n"
+                       "space directions: (1,0,0) (0,1,0) (0,0,1) none\nspace origin: (0,0,0)\n",
+                       times));
+  Session session;
+  session.constraints.walls.map = WallMap{walls, {}, nullptr};
+  session.constraints.start.emplace().path = start;
+  loadWalls(session, someGrid());
+  loadStarts(session);
+  const std::vector<Finding>& ofWalls = session.constraints.walls.map->warnings;
+  REQUIRE(ofWalls.size() == 1);
+  CHECK(ofWalls[0].causes.at(0).kind == FindingKind::axesTakenAsLps);
+  CHECK_THAT(sentence(ofWalls[0]), Contains(walls));
+  const std::vector<Finding>& ofStart = session.constraints.start->warnings;
+  REQUIRE(ofStart.size() == 1);
+  CHECK(sentence(ofStart[0]) == start + ": There are 2 time points; the first one is used.");
 }

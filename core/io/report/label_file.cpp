@@ -54,6 +54,18 @@ LabelFile::LabelFile(const std::string& path, const DecoderSettings& decoder, st
   shifts_ = slicerLayerShifts(path);
 }
 
+//! That it is a segmentation is what was asked for, and --frame chooses of the volume.
+std::vector<Finding> LabelFile::warnings() const {
+  std::vector<Finding> told;
+  for (const Finding& w : info_.warnings) {
+    if (w.kind == K::isSegmentation) continue;
+    const bool isFrame = w.kind == K::frameZeroUsed;
+    told.push_back(
+        {K::ofFile, {{"file", path_}}, isFrame ? Finding(K::firstFrameUsed, {{"frames", info_.frames}}) : w});
+  }
+  return told;
+}
+
 const Volume& LabelFile::layer(int index) {
   if (index == readLayer_) return read_;
   readLayer_ = -1;  // none, if that fails

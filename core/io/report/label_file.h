@@ -32,6 +32,8 @@ class LabelFile {
 
   //! Of the file; its warnings speak of it without naming it.
   const VolumeInfo& info() const { return info_; }
+  //! What is to be told of it where it is used beside a volume; they name it.
+  std::vector<Finding> warnings() const;
   //! The voxels of a label, none if it has none; without one, all that are not 0, of all layers. Throws as
   //! the constructor and, of a file in layers, as labels().
   Mask mask(std::optional<int> label);

@@ -195,6 +195,9 @@ RunReport anonymous(RunReport report) {
   report.session = anonymous(std::move(report.session));
   if (report.overTime) report.overTime = anonymous(std::move(*report.overTime));
   for (Finding& warning : report.volume.warnings) warning = unnamed(std::move(warning));
+  for (Finding& warning : report.warnings)
+    if (warning.kind == FindingKind::ofFile)
+      warning = {FindingKind::ofFile, {{"file", std::string("a file")}}, unnamed(warning.causes.at(0))};
   return report;
 }
 

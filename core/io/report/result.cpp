@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "core/cancellation.h"
@@ -13,6 +14,7 @@
 #include "core/io/formats/label_map.h"
 #include "core/io/meshes/gltf.h"
 #include "core/io/meshes/three_mf.h"
+#include "core/io/report/session_files.h"
 #include "core/io/report/single_precision.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/tetrahedra/tetrahedra.h"
@@ -93,6 +95,17 @@ Finding givenWithThin(const Session& session, const TriangleSoup& mesh) {
   return {FindingKind::givenWithThin, {{"thin_faces", bad.faces}, {"sharp_edges", bad.edges}}};
 }
 
+//! Of the files of walls and of starts; of one that stands in several places once.
+void addWarningsOfFiles(const Session& session, std::vector<Finding>& warnings) {
+  std::set<std::string> told;
+  const auto add = [&](const auto& file) {
+    if (told.insert(file.path).second)
+      warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
+  };
+  forEachWallMap(session, add);
+  forEachStart(session, add);
+}
+
 }  // namespace
 
 std::vector<Finding> resultWarnings(const RunReport& report, const TriangleSoup& mesh) {
@@ -103,6 +116,7 @@ std::vector<Finding> resultWarnings(const RunReport& report, const TriangleSoup&
   if (Finding choice = closeChoice(report); choice.any()) out.push_back(std::move(choice));
   if (Finding shared = sharedVoxels(report.session.constraints); shared.any())
     out.push_back(std::move(shared));
+  addWarningsOfFiles(report.session, out);
   if (Finding thin = givenWithThin(report.session, mesh); thin.any()) out.push_back(std::move(thin));
   return out;
 }

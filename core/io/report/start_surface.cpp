@@ -88,6 +88,7 @@ struct ReadStart {
   Vec3 inside{0, 0, 0};
   std::size_t shared = 0;
   bool isMesh = false;
+  std::vector<Finding> warnings{};
 };
 
 //! What a file was asked for.
@@ -169,6 +170,7 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto at = read.emplace(values[i], readStart(key.path, hash, std::move(meshes[i].mesh))).first;
     at->second.shared = shared[i];
+    at->second.warnings = labels.warnings();
   }
   return read;
 }
@@ -199,6 +201,7 @@ void take(StartSurface& start, const std::map<int, ReadStart>& file) {
   start.inside = read.inside;
   start.shared = read.shared;
   start.isMesh = read.isMesh;
+  start.warnings = read.warnings;
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "core/io/report/wall_map.h"
 
-#include <algorithm>
+#include <cmath>
 #include <map>
 
-#include "core/io/formats/volume_io.h"
+#include "core/io/report/label_file.h"
 #include "core/told_error.h"
 
 namespace handlebody {
@@ -25,6 +25,32 @@ bool isSamePlace(const Grid& a, const Grid& b) {
   return true;
 }
 
+void requireFits(const VolumeInfo& labels, const std::string& path, const Grid& grid) {
+  if (labels.frames > 1)
+    throw Told<InputError>(Finding(FindingKind::wallsOverTime, {{"file", path}, {"frames", labels.frames}}));
+  if (labels.grid.size != grid.size)
+    throw Told<InputError>(
+        Finding(FindingKind::wallsOtherSize,
+                {{"file", path}, {"size", written(labels.grid.size)}, {"volume", written(grid.size)}}));
+  if (!isSamePlace(grid, labels.grid))
+    throw Told<InputError>(Finding(FindingKind::wallsOtherPlace, {{"file", path}}));
+}
+
+//! Those of a mask, one per voxel of the grid that it was cut from.
+std::vector<bool> voxelsOf(const Mask& mask, const Grid& grid) {
+  std::vector<bool> voxels(grid.voxelCount());
+  const Vec3 first = grid.toIndex(mask.grid.origin);
+  const int low[] = {static_cast<int>(std::lround(first.x())), static_cast<int>(std::lround(first.y())),
+                     static_cast<int>(std::lround(first.z()))};
+  const auto place = [&](int axis, int index) { return static_cast<std::size_t>(low[axis] + index); };
+  const auto nx = static_cast<std::size_t>(grid.size[0]), ny = static_cast<std::size_t>(grid.size[1]);
+  for (int z = 0; z < mask.grid.size[2]; ++z)
+    for (int y = 0; y < mask.grid.size[1]; ++y)
+      for (int x = 0; x < mask.grid.size[0]; ++x)
+        voxels[(place(2, z) * ny + place(1, y)) * nx + place(0, x)] = mask.inside[mask.at(x, y, z)] != 0;
+  return voxels;
+}
+
 void load(Constraints& constraints, const Grid& grid, const DecoderSettings& decoder,
           std::map<std::string, WallMap>& known) {
   std::optional<WallMap>& map = constraints.walls.map;
@@ -39,22 +65,13 @@ void load(Constraints& constraints, const Grid& grid, const DecoderSettings& dec
 }  // namespace
 
 WallMap readWallMap(const std::string& path, const Grid& grid, const DecoderSettings& decoder) {
-  WallMap map{path, sha256OfPath(path), nullptr};
-  const Volume labels = readVolume(path, {.decoder = decoder});
-  if (labels.grid.size != grid.size)
-    throw Told<InputError>(
-        Finding(FindingKind::wallsOtherSize,
-                {{"file", path}, {"size", written(labels.grid.size)}, {"volume", written(grid.size)}}));
-  if (!isSamePlace(grid, labels.grid))
-    throw Told<InputError>(Finding(FindingKind::wallsOtherPlace, {{"file", path}}));
-  std::vector<bool> voxels(grid.voxelCount());
-  visitVoxels(labels, [&](const auto* value) {
-    for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = value[i] != 0;
-  });
-  if (std::find(voxels.begin(), voxels.end(), true) == voxels.end())
-    throw Told<InputError>(Finding(FindingKind::wallsEmpty, {{"file", path}}));
-  map.voxels = std::make_shared<const std::vector<bool>>(std::move(voxels));
-  return map;
+  const std::string hash = sha256OfPath(path);
+  LabelFile labels(path, decoder);
+  requireFits(labels.info(), path, grid);
+  const Mask mask = labels.mask(std::nullopt);
+  if (mask.inside.empty()) throw Told<InputError>(Finding(FindingKind::wallsEmpty, {{"file", path}}));
+  return {path, hash, std::make_shared<const std::vector<bool>>(voxelsOf(mask, labels.info().grid)),
+          labels.warnings()};
 }
 
 void loadWalls(Session& session, const Grid& grid) {
