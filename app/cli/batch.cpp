@@ -342,6 +342,7 @@ std::vector<std::string> settingsOf(const BatchOptions& o) {
 int submit(const BatchOptions& o) {
   SlurmStudy study{o.study,
                    std::filesystem::absolute(o.folder).lexically_normal().string(),
+                   folderOfPaths(o.study, o.defaults),
                    settingsOf(o),
                    o.slurmOptions,
                    {},

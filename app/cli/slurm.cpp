@@ -176,9 +176,8 @@ class Submission {
 
   std::string writeScript(const std::string& name, const std::string& last) const {
     const std::string program = fs::read_symlink("/proc/self/exe").string();
-    const std::string base = fs::absolute(study_.study).parent_path().string();
     std::string text = "#!/bin/sh\nexec " + shellWord(program) + " batch " + shellWord(copy_) +
-                       " --relative-to " + shellWord(base) + " -o " + shellWord(study_.folder);
+                       " --relative-to " + shellWord(study_.base) + " -o " + shellWord(study_.folder);
     for (const std::string& setting : study_.settings) text += " " + shellWord(setting);
     writeTextAtomically(folder_ + "/" + name, text + " " + last + "\n");
     return folder_ + "/" + name;

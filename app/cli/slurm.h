@@ -10,6 +10,7 @@ namespace handlebody::cli {
 struct SlurmStudy {
   std::string study;                  //!< path of the CSV file
   std::string folder;                 //!< of the results
+  std::string base;                   //!< where relative paths of the study begin, absolute
   std::vector<std::string> settings;  //!< of `batch`, for every task
   std::vector<std::string> options;   //!< of sbatch, as the user gave them
   std::vector<int> rows;              //!< to be done, from 1, ascending

@@ -377,13 +377,18 @@ std::string studyColumns() {
   return text;
 }
 
+std::string folderOfPaths(const std::string& path, const StudyDefaults& defaults) {
+  const fs::path folder =
+      defaults.folder.empty() ? fs::absolute(path).parent_path() : fs::absolute(defaults.folder);
+  return folder.string();
+}
+
 std::vector<StudyCase> readStudy(const std::string& path, const StudyDefaults& defaults) {
   const std::vector<CsvRow> rows = parseCsv(readFile(path), path);
   if (rows.empty()) throw InputError(path + ": it is empty; its first line names the columns.");
   const std::vector<Column> columns = readHeader(rows[0], path);
   if (rows.size() == 1) throw InputError(path + ": it has no rows under the names of the columns.");
-  const fs::path folder =
-      defaults.folder.empty() ? fs::absolute(path).parent_path() : fs::absolute(defaults.folder);
+  const fs::path folder = folderOfPaths(path, defaults);
   std::vector<StudyCase> cases;
   for (std::size_t i = 1; i < rows.size(); ++i)
     cases.push_back(RowReader(columns, folder, defaults).read(rows[i]));

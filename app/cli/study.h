@@ -47,6 +47,9 @@ struct StudyDefaults {
   std::string folder;          //!< where relative paths begin; empty: the folder of the CSV file
 };
 
+//! Where relative paths of the study at `path` begin, absolute.
+std::string folderOfPaths(const std::string& path, const StudyDefaults& defaults);
+
 //! Reads and checks all rows. Throws InputError if there are no rows to tell: the file cannot be read, a
 //! column is not known or missing, a quotation mark is not closed.
 std::vector<StudyCase> readStudy(const std::string& path, const StudyDefaults& defaults);

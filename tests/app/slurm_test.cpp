@@ -113,6 +113,20 @@ TEST_CASE("jobs run the study as it was when it was submitted", "[slurm]") {
   CHECK_FALSE(fs::exists(s.file("other")));
 }
 
+TEST_CASE("jobs look for relative paths where the batch was told to", "[slurm]") {
+  const SlurmStudy s;
+  fs::create_directory(s.folder / "tables");
+  writeBytes(s.folder / "tables/study.csv", kHeader + "\n" + s.row("a"));
+  const fs::path before = fs::current_path();
+  fs::current_path(s.folder.path());
+  const Outcome outcome = runCli({"batch", "tables/study.csv", "-o", s.out, "--relative-to", ".", "--slurm"});
+  fs::current_path(before);
+  INFO(outcome.err);
+  CHECK(outcome.exitCode == 0);
+  INFO(readBytes(s.bin / "script-101"));
+  CHECK(fs::exists(s.file("a")));
+}
+
 TEST_CASE("more rows than an array of Slurm holds are several arrays", "[slurm]") {
   const SlurmStudy s;
   std::string text = kHeader + "\n";
