@@ -435,6 +435,7 @@ enum class FindingKind {
   lengthsInMicrometres,
   placeUnknown,
   axesTakenAsLps,
+  originAssumed,
   formsDisagree,  //!< apart_mm
   tiffWithoutPlace,
   isSegmentation,

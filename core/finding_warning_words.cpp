@@ -31,6 +31,9 @@ constexpr FindingWords kWords[] = {
     {K::axesTakenAsLps, "axes-taken-as-lps",
      QT_TRANSLATE_NOOP("Findings",
                        "The header does not say how the volume lies in space; its axes are taken as LPS.")},
+    {K::originAssumed, "origin-assumed",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.")},
     {K::formsDisagree, "forms-disagree",
      QT_TRANSLATE_NOOP("Findings",
                        "The sform and the qform of the header disagree (by up to {apart_mm:0f} mm); the "

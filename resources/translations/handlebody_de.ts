@@ -2159,6 +2159,10 @@
         <source>There are {frames:0f} time points; the first one is used.</source>
         <translation>Es gibt {frames:0f} Zeitpunkte; der erste wird verwendet.</translation>
     </message>
+    <message>
+        <source>The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.</source>
+        <translation>Der Header sagt nicht, wo das erste Voxel liegt; angenommen wird 0, 0, 0.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -2159,6 +2159,10 @@
         <source>There are {frames:0f} time points; the first one is used.</source>
         <translation>Hay {frames:0f} instantes; se usa el primero.</translation>
     </message>
+    <message>
+        <source>The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.</source>
+        <translation>La cabecera no dice dónde está el primer vóxel; se supone 0, 0, 0.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

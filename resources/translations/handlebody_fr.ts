@@ -2159,6 +2159,10 @@
         <source>There are {frames:0f} time points; the first one is used.</source>
         <translation>Il y a {frames:0f} instants ; le premier est utilisé.</translation>
     </message>
+    <message>
+        <source>The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.</source>
+        <translation>L’en-tête ne dit pas où se trouve le premier voxel ; on suppose 0, 0, 0.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

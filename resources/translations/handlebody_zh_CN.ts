@@ -2159,6 +2159,10 @@
         <source>There are {frames:0f} time points; the first one is used.</source>
         <translation>共有 {frames:0f} 个时间点；使用第一个。</translation>
     </message>
+    <message>
+        <source>The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.</source>
+        <translation>文件头没有说明第一个体素的位置；假定为 0, 0, 0。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

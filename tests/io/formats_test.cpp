@@ -179,9 +179,10 @@ TEST_CASE("units that are no millimetres are said") {
              "DistanceUnits = um\nElementType = MET_UCHAR\nElementDataFile = LOCAL\nabcdefgh");
   expectWarning(inspectVolume(folder / "v.mha"), FindingKind::unitAsMillimetres,
                 "The distance unit um is taken as millimetres.");
-  writeBytes(folder / "v.nrrd",
-             "NRRD0004\ntype: uint8\ndimension: 3\nspace: LPS\nsizes: 2 2 2\nspace directions: (1,0,0) "
-             "(0,1,0) (0,0,1)\nspace units: \"um\" \"um\" \"um\"\nencoding: raw\n\nabcdefgh");
+  writeBytes(
+      folder / "v.nrrd",
+      "NRRD0004\ntype: uint8\ndimension: 3\nspace: LPS\nsizes: 2 2 2\nspace directions: (1,0,0) "
+      "(0,1,0) (0,0,1)\nspace origin: (0,0,0)\nspace units: \"um\" \"um\" \"um\"\nencoding: raw\n\nabcdefgh");
   expectWarning(inspectVolume(folder / "v.nrrd"), FindingKind::unitsAsMillimetres,
                 "The space units \"um\" \"um\" \"um\" are taken as millimetres.");
 }
@@ -337,6 +338,43 @@ TEST_CASE("an NRRD in left-anterior-superior axes lies where it says") {
   const Grid grid = inspectVolume(folder / "v.nrrd").grid;
   CHECK(grid.toWorld(Vec3(0, 0, 0)) == Vec3(5, -6, 7));
   CHECK(grid.toWorld(Vec3(1, 1, 1)) == Vec3(6, -8, 10));
+}
+
+TEST_CASE("fields of an NRRD may be written without blanks, as teem reads them") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "v.nrrd";
+  for (const std::string fields :
+       {"space: LPS\nspacedirections: (2,0,0) (0,3,0) (0,0,4)\nspaceorigin: (5,6,7)\n",
+        "space:LPS\nspace directions:(2,0,0) (0,3,0) (0,0,4)\nspace origin:(5,6,7)\n",
+        "space: LPS\nSpace Directions: (2,0,0)(0,3,0)(0,0,4)\nSPACE ORIGIN: (5, 6, 7)\n"}) {
+    INFO(fields);
+    writeBytes(path,
+               nrrdOf("2 2 2", fields + "spaceunits: \"um\" \"um\" \"um\"\na:key:=space origin:(9,9,9)\n") +
+                   "abcdefgh");
+    const VolumeInfo info = inspectVolume(path);
+    CHECK(info.grid.spacing == Vec3(2, 3, 4));
+    CHECK(info.grid.origin == Vec3(5, 6, 7));
+    CHECK(info.sources.origin == "space origin");
+    expectWarning(info, FindingKind::unitsAsMillimetres,
+                  "The space units \"um\" \"um\" \"um\" are taken as millimetres.");
+  }
+}
+
+TEST_CASE("an NRRD without an origin says so, and one whose origin is no place is refused") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "v.nrrd",
+                    space = "space: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n";
+  for (const std::string line : {"", "space origin: none\n"}) {
+    writeBytes(path, nrrdOf("2 2 2", space + line) + "abcdefgh");
+    expectWarning(inspectVolume(path), FindingKind::originAssumed,
+                  "The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.");
+  }
+  for (const char* origin : {"(1,2)", "(1,2,3,4,5)", "(nan,nan,nan)", "(1,2,inf)", "(1,2,3) (4,5,6)",
+                             "none (1,2,3)", "1 2 3", ""}) {
+    INFO(origin);
+    writeBytes(path, nrrdOf("2 2 2", space + "space origin: " + origin + "\n") + "abcdefgh");
+    expectInputError(path, "space");
+  }
 }
 
 TEST_CASE("a packed MetaImage is read whole where its header says nothing, or wrongly, how long it is") {

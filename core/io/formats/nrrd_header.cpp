@@ -192,6 +192,21 @@ void setDirection(const Axis& axis, int a, const Vec3& flip, const std::string& 
   h.sources.spacing[a] = "space directions";
 }
 
+//! What is given and not understood is refused: in its place would be 0, without a word.
+void setOrigin(const NrrdFields& f, const Vec3& flip, const std::string& path, VolumeHeader& h) {
+  h.sources.origin = "assumed";
+  const std::string text = f.value("space origin");
+  if (!f.has("space origin") || lowered(text) == "none") return;
+  const auto origin = vectors(text, path);
+  // Four numbers: of a space with time.
+  if (origin.size() != 1 || origin[0].size() < 3 || origin[0].size() > 4)
+    refuseHeader(path, "NRRD", "space origin");
+  const Vec3 place(origin[0][0], origin[0][1], origin[0][2]);
+  if (!place.allFinite()) refuseHeader(path, "NRRD", "space origin");
+  h.grid.origin = place.cwiseProduct(flip);
+  h.sources.origin = "space origin";
+}
+
 void setGeometry(const NrrdFields& f, const std::vector<Axis>& spatial, const std::string& path,
                  VolumeHeader& h) {
   const std::optional<Vec3> lps = toLps(f.value("space"));
@@ -214,13 +229,11 @@ void setGeometry(const NrrdFields& f, const std::vector<Axis>& spatial, const st
     }
   }
   h.sources.direction = directed ? "space directions" : "assumed";
-  h.sources.origin = "assumed";
-  const auto origin = vectors(f.value("space origin"), path);
-  if (!origin.empty() && origin[0].size() >= 3) {
-    h.grid.origin = Vec3(origin[0][0], origin[0][1], origin[0][2]).cwiseProduct(flip);
-    h.sources.origin = "space origin";
-  }
-  if (!lps || !directed) h.warnings.push_back(FindingKind::axesTakenAsLps);
+  setOrigin(f, flip, path, h);
+  if (!lps || !directed)
+    h.warnings.push_back(FindingKind::axesTakenAsLps);
+  else if (h.sources.origin == "assumed")
+    h.warnings.push_back(FindingKind::originAssumed);
 }
 
 void checkUnits(const std::string& units, VolumeHeader& header) {
@@ -245,9 +258,7 @@ void setEncoding(const NrrdFields& f, const std::string& path, const VolumeHeade
     layout.swapped = (endian == "big") != (std::endian::native == std::endian::big);
   for (const auto& [name, skip] :
        {std::pair("byte skip", &layout.byteSkip), std::pair("line skip", &layout.lineSkip)})
-    if (const std::string text =
-            f.value(name).empty() ? f.value(std::string(name).erase(4, 1)) : f.value(name);
-        !text.empty()) {
+    if (const std::string text = f.value(name); !text.empty()) {
       const auto value = parsed<long long>(text);
       if (!value || *value < -1 || *value > (1ll << 60)) refuseHeader(path, "NRRD", name);
       *skip = *value;
@@ -255,6 +266,12 @@ void setEncoding(const NrrdFields& f, const std::string& path, const VolumeHeade
 }
 
 }  // namespace
+
+std::string nrrdName(std::string_view name) {
+  std::string plain = lowered(std::string(name));
+  std::erase_if(plain, [](char c) { return c == ' ' || c == '\t'; });
+  return plain;
+}
 
 NrrdFields readNrrdFields(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -268,15 +285,19 @@ NrrdFields readNrrdFields(const std::string& path) {
     if (line.empty()) break;
     f.sequence |= isLaterFrame(line);
     if (listed) f.dataFiles.push_back((fs::path(path).parent_path() / line).string());
-    const auto colon = line.find(": "), pair = line.find(":=");
-    if (!listed && line[0] != '#' && pair < colon) f.keys[line.substr(0, pair)] = line.substr(pair + 2);
-    if (listed || line[0] == '#' || colon == std::string::npos || pair < colon) continue;
+    if (listed || line[0] == '#') continue;
+    const auto colon = line.find(':'), pair = line.find(":=");
+    if (pair < line.find(": ")) {  // a key may hold a colon, a field's name cannot
+      f.keys[line.substr(0, pair)] = line.substr(pair + 2);
+      continue;
+    }
+    if (colon == std::string::npos) continue;
     const std::string_view whole = line;
-    f.fields[lowered(std::string(trimmed(whole.substr(0, colon))))] = trimmed(whole.substr(colon + 2));
-    listed = f.value("data file") == "LIST" || f.value("datafile") == "LIST";
+    f.fields[nrrdName(whole.substr(0, colon))] = trimmed(whole.substr(colon + 1));
+    listed = f.value("data file") == "LIST";
   }
   if (file) f.end = static_cast<std::uint64_t>(file.tellg());
-  const std::string data = f.value("data file") + f.value("datafile");
+  const std::string data = f.value("data file");
   if (data.empty() || listed) return f;
   const std::vector<std::string> parts = words(data);
   if (parts.size() >= 4 && data.find('%') != std::string::npos)

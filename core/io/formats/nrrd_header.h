@@ -3,22 +3,28 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/io/formats/volume_source.h"
 
 namespace handlebody {
 
+//! A field's name as it is known by: in lower case, without blanks. Teem writes "space origin" and reads
+//! "spaceorigin", too.
+std::string nrrdName(std::string_view name);
+
 //! The fields of the header as text, and where the data are.
 struct NrrdFields {
-  std::map<std::string, std::string> fields{};  //!< lower-case names, without spaces at their ends
+  std::map<std::string, std::string> fields{};  //!< by nrrdName
   std::vector<std::string> dataFiles{};         //!< paths; empty if the data follow the header
   std::map<std::string, std::string> keys{};    //!< of the lines "key:=value", as they are
   std::uint64_t end = 0;                        //!< first byte after the header
   bool sequence = false;                        //!< tracked 2D frames
 
-  std::string value(const std::string& name) const {
-    const auto found = fields.find(name);
+  bool has(std::string_view name) const { return fields.count(nrrdName(name)) > 0; }
+  std::string value(std::string_view name) const {
+    const auto found = fields.find(nrrdName(name));
     return found == fields.end() ? std::string() : found->second;
   }
 };
