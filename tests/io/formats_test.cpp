@@ -1,5 +1,8 @@
 // NIfTI-2, NRRD with a time axis at any place and with numbered data files, and where geometry comes from.
 
+#include <limits>
+
+#include "core/io/formats/volume_keys.h"
 #include "core/volume/field_of_view.h"
 #include "tests/io/io_test_support.h"
 
@@ -374,6 +377,38 @@ TEST_CASE("an NRRD without an origin says so, and one whose origin is no place i
     INFO(origin);
     writeBytes(path, nrrdOf("2 2 2", space + "space origin: " + origin + "\n") + "abcdefgh");
     expectInputError(path, "space");
+  }
+}
+
+TEST_CASE("a volume that comes back in another place than it was written is told from one that is rounded") {
+  const Grid meant = obliqueGrid();
+  for (const char* name : {"v.nii", "V.NII.GZ", "v.nrrd", "v.mha"}) {
+    INFO(name);
+    Grid back = meant;
+    CHECK(isGridKept(back, meant, name));
+    back.origin = Vec3(-17, 33, 121);  // as after a comma
+    CHECK_FALSE(isGridKept(back, meant, name));
+    back = meant;
+    back.spacing.x() *= 1.2;
+    CHECK_FALSE(isGridKept(back, meant, name));
+    back = meant;
+    back.origin.x() = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(isGridKept(back, meant, name));
+    back = meant;
+    back.origin = meant.origin.cast<float>().cast<double>();
+    back.spacing = meant.spacing.cast<float>().cast<double>();
+    CHECK(isGridKept(back, meant, name));
+  }
+}
+
+TEST_CASE(
+    "a volume that lies nearly along the axes is written as NIfTI, whose quaternion is rounded most there") {
+  const TemporaryFolder folder;
+  Grid grid = obliqueGrid();
+  for (const double angle : {0.0, 1e-5, 1e-4, 3e-4, 1e-3, 1e-2}) {
+    INFO(angle);
+    grid.direction = Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    CHECK_NOTHROW(writeVolume(randomVolume(grid, VoxelType::uint8), folder / "v.nii"));
   }
 }
 

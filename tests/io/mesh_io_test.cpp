@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "tests/io/comma_locale.h"
 #include "tests/io/io_test_support.h"
 #include "tests/io/mesh_test_support.h"
 
@@ -110,6 +111,20 @@ TEST_CASE("meshes of others are read: text STL and PLY, polygons, relative OBJ c
   writeBytes(folder / "a.obj",
              "o quad\nv 0 0 0\nv 1 0 0 1\r\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf -4//1 -3//1 3/1/1 4\n");
   CHECK(area(readMesh(folder / "a.obj")) == Approx(1));
+}
+
+TEST_CASE("a text STL has points in its numbers, whatever the locale") {
+  const TemporaryFolder folder;
+  writeBytes(folder / "a.stl",
+             "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0.25 0.5 0\nvertex 1.25 0.5 0\n"
+             "vertex 0.25 2.5e0 0\nendloop\nendfacet\nendsolid a\n");
+  const CommaLocale comma;
+  if (!comma.isChosen()) return;
+  TriangleSoup read;
+  REQUIRE_NOTHROW(read = readMesh(folder / "a.stl"));
+  REQUIRE(read.points.size() == 3);
+  CHECK(read.points[0] == Vec3(0.25, 0.5, 0));
+  CHECK(area(read) == Approx(1));
 }
 
 TEST_CASE("damaged mesh files are refused with one sentence") {

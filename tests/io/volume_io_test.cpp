@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/io/formats/sha256.h"
+#include "tests/io/comma_locale.h"
 #include "tests/io/io_test_support.h"
 
 using namespace handlebody;
@@ -116,6 +117,19 @@ TEST_CASE("volumes come back with their type, voxels and oblique anisotropic geo
     CHECK(info.warnings.empty());
     expectSameGrid(info.grid, back.grid, 1e-15);
     fs::remove(folder / name);
+  }
+}
+
+TEST_CASE("a locale with a decimal comma changes no number of a volume that is written") {
+  const TemporaryFolder folder;
+  const Volume volume = randomVolume(obliqueGrid(), VoxelType::int16);
+  const CommaLocale comma;
+  if (!comma.isChosen()) return;
+  for (const char* name : {"v.nii.gz", "v.nrrd", "v.mha"}) {
+    INFO(name);
+    REQUIRE_NOTHROW(writeVolume(volume, folder / name));
+    expectSameGrid(readVolume(folder / name).grid, volume.grid, 2e-5);
+    CHECK(*localeconv()->decimal_point == ',');  // the host's, as before
   }
 }
 

@@ -12,4 +12,8 @@ namespace handlebody {
 void writeVolumeWithKeys(const Volume& volume, const std::string& path,
                          const std::map<std::string, std::string>& keys);
 
+//! Whether the corners of `back`, read from a file at `path`, lie where those of `meant` do, but for what its
+//! format rounds.
+bool isGridKept(const Grid& back, const Grid& meant, const std::string& path);
+
 }  // namespace handlebody

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/decimal_point.h"
 #include "core/io/formats/time_axis.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/refuse_input.h"
@@ -144,7 +145,7 @@ void swapVoxels(const VolumeHeader& header, void* voxels);
 bool isLaterFrame(const std::string& field);
 
 //! Libraries below write to std::cerr, std::cout and their own channels; errors reach us as exceptions. Quiet
-//! while one of these lives. Not for several threads at once.
+//! while one of these lives, and numbers have a point meanwhile. Not for several threads at once.
 class Quiet {
  public:
   Quiet();
@@ -155,6 +156,7 @@ class Quiet {
  private:
   struct Saved;
   std::unique_ptr<Saved> saved_;
+  DecimalPoint point_{};
 };
 
 }  // namespace handlebody

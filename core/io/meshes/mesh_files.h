@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/io/decimal_point.h"
 #include "core/io/meshes/mesh_io.h"
 
 namespace handlebody {
@@ -45,6 +46,7 @@ MeshFile readDicomStl(const std::string& path);
 bool isEncapsulatedStlFile(const std::string& path);
 
 //! VTK's messages go nowhere while one of these lives; errors are found through error codes and observers.
+//! Numbers of its text formats have a point meanwhile.
 class VtkSilence {
  public:
   VtkSilence();
@@ -54,6 +56,7 @@ class VtkSilence {
 
  private:
   bool before_;
+  DecimalPoint point_{};
 };
 
 //! VTP through VTK, in a child process: its reader crashes on some damaged files.
