@@ -488,6 +488,7 @@ enum class FindingKind {
   objectEmpty,      //!< object
   objectOpen,       //!< object
   objectNotAlike,   //!< object
+  objectMisplaced,  //!< object
   objectBranches,   //!< object
   objectInsideOut,  //!< object
   objectsApart,     //!< apart_mm, centres_mm

@@ -165,6 +165,11 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "{object} is closed, but not all of its faces are oriented alike: it has no volume, "
                        "and there is no Dice coefficient.")},
+    {K::objectMisplaced, "object-misplaced",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "{object} has parts that lie where they bound nothing, as one does that is inside out: "
+         "it has no volume, and there is no Dice coefficient.")},
     {K::objectBranches, "object-branches",
      QT_TRANSLATE_NOOP("Findings", "{object} is not a manifold: its genus and cavities cannot be counted.")},
     {K::objectInsideOut, "object-inside-out",

@@ -76,6 +76,8 @@ void warnOf(const Solid& solid, const std::string& name, std::vector<Finding>& w
     warn(FindingKind::objectOpen);
   else if (!solid.certificate.oriented)
     warn(FindingKind::objectNotAlike);
+  else if (solid.isMisplaced())
+    warn(FindingKind::objectMisplaced);
   else if (!solid.certificate.manifold)
     warn(FindingKind::objectBranches);
   if (solid.wasInsideOut) warn(FindingKind::objectInsideOut);

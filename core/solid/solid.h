@@ -15,8 +15,11 @@ struct Solid {
   bool wasInsideOut = false;   //!< a mesh that enclosed a negative volume, turned here
 
   bool empty() const { return surface.triangles.empty(); }
-  //! Has an inside: closed, all faces oriented alike, or a label map. Nothing does, too.
-  bool isClosed() const { return empty() || (certificate.closed && certificate.oriented); }
+  //! Parts of a mesh lie where they bound nothing, as one does that is inside out (nesting.h).
+  bool isMisplaced() const { return !mask && certificate.misplaced > 0; }
+  //! Has an inside: closed, all faces oriented alike and no part misplaced, or a label map. Nothing does,
+  //! too.
+  bool isClosed() const { return empty() || (certificate.closed && certificate.oriented && !isMisplaced()); }
   //! mm³: of the voxels, or enclosed by the mesh. Precondition: isClosed().
   double volume() const;
 };

@@ -2163,6 +2163,10 @@
         <source>The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.</source>
         <translation>Der Header sagt nicht, wo das erste Voxel liegt; angenommen wird 0, 0, 0.</translation>
     </message>
+    <message>
+        <source>{object} has parts that lie where they bound nothing, as one does that is inside out: it has no volume, and there is no Dice coefficient.</source>
+        <translation>{object} hat Teile, die dort, wo sie liegen, nichts begrenzen, etwa weil ihr Inneres außen ist: Es gibt kein Volumen und keinen Dice-Koeffizienten.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

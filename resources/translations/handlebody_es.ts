@@ -2163,6 +2163,10 @@
         <source>The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.</source>
         <translation>La cabecera no dice dónde está el primer vóxel; se supone 0, 0, 0.</translation>
     </message>
+    <message>
+        <source>{object} has parts that lie where they bound nothing, as one does that is inside out: it has no volume, and there is no Dice coefficient.</source>
+        <translation>{object} tiene partes que no delimitan nada donde están, como una vuelta del revés: no hay volumen ni coeficiente de Dice.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -2163,6 +2163,10 @@
         <source>The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.</source>
         <translation>L’en-tête ne dit pas où se trouve le premier voxel ; on suppose 0, 0, 0.</translation>
     </message>
+    <message>
+        <source>{object} has parts that lie where they bound nothing, as one does that is inside out: it has no volume, and there is no Dice coefficient.</source>
+        <translation>{object} a des parties qui ne délimitent rien là où elles se trouvent, comme une partie retournée : pas de volume ni de coefficient de Dice.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

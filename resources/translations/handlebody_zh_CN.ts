@@ -2163,6 +2163,10 @@
         <source>The header does not say where the first voxel lies; it is taken to lie at 0, 0, 0.</source>
         <translation>文件头没有说明第一个体素的位置；假定为 0, 0, 0。</translation>
     </message>
+    <message>
+        <source>{object} has parts that lie where they bound nothing, as one does that is inside out: it has no volume, and there is no Dice coefficient.</source>
+        <translation>{object} 有部分位于不界定任何区域之处，例如内外翻转的部分：没有体积，也没有 Dice 系数。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -216,6 +216,23 @@ TEST_CASE("an open mesh has distances alone", "[cli][compare]") {
   CHECK(runForJson({"compare", folder / "closed.obj", folder / "closed.obj", "--json"}).at("dice") == 1.0);
 }
 
+TEST_CASE("a mesh with a part that is inside out has no figures of a body", "[cli][compare]") {
+  const TempFolder folder;
+  const std::string first = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n",
+                    corners = "v 9 0 0\nv 11 0 0\nv 9 2 0\nv 9 0 2\n";
+  writeBytes(folder / "whole.obj", first + corners + "f 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n");
+  writeBytes(folder / "turned.obj", first + corners + "f 5 6 7\nf 5 8 6\nf 6 8 7\nf 5 7 8\n");
+  const auto json = runForJson({"compare", folder / "turned.obj", folder / "whole.obj", "--json"});
+  for (const char* none : {"volume_mm3", "components", "genus", "cavities"}) {
+    INFO(none);
+    CHECK(json.at("a").at(none).is_null());
+    CHECK_FALSE(json.at("b").at(none).is_null());
+  }
+  CHECK(json.at("dice").is_null());
+  CHECK_FALSE(json.at("distances").is_null());
+  CHECK_THAT(json.at("warnings").dump(), Contains("A has parts that lie where they bound nothing"));
+}
+
 TEST_CASE("what cannot be compared is refused in one sentence", "[cli][compare]") {
   const TempFolder folder;
   writeBytes(folder / "m.mha", cube(9, [](int x, int, int) { return x < 4 ? 0 : 1; }));

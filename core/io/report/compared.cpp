@@ -14,9 +14,7 @@ namespace handlebody {
 
 namespace {
 
-bool hasTopology(const Solid& s) {
-  return s.empty() || (s.certificate.closed && s.certificate.manifold && s.certificate.oriented);
-}
+bool hasTopology(const Solid& s) { return s.isClosed() && (s.empty() || s.certificate.manifold); }
 
 //! Components and cavities are both components of the surface.
 int cavitiesOf(const Solid& s) { return s.empty() ? 0 : s.certificate.cavities; }
@@ -35,7 +33,7 @@ Json objectJson(const ComparedObject& o) {
   json["label"] = o.label ? Json(*o.label) : Json(nullptr);
   json["volume_mm3"] = volumeJson(s);
   json["area_mm2"] = s.certificate.area;
-  json["components"] = componentsOf(s);
+  json["components"] = orNull(!s.isMisplaced(), componentsOf(s));
   json["genus"] = orNull(hasTopology(s), genusOf(s));
   json["cavities"] = orNull(hasTopology(s), cavitiesOf(s));
   json["closed"] = s.isClosed();

@@ -168,6 +168,34 @@ TEST_CASE("a mesh that is inside out is turned", "[solid][compare]") {
   CHECK(compare(a, b, kCoarse).warnings.size() == 1);
 }
 
+TEST_CASE("a part that is inside out where it bounds nothing leaves no volume, and is told",
+          "[solid][compare]") {
+  const auto beside = [](const Vec3& centre, double radius, bool isTurned) {
+    TriangleSoup two = icosphere(Vec3(0, 0, 0), 3, 0.4);
+    TriangleSoup other = icosphere(centre, radius, 0.4);
+    const int first = static_cast<int>(two.points.size());
+    two.points.insert(two.points.end(), other.points.begin(), other.points.end());
+    for (Triangle t : other.triangles) {
+      if (isTurned) std::swap(t[1], t[2]);
+      two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+    return solidOf(two);
+  };
+  const Vec3 apart(8, 0, 0);
+  const Solid whole = beside(apart, 2, false);
+  CHECK(compare(whole, whole, kCoarse).dice == 1.0);
+  CHECK(compare(beside({0, 0, 0}, 1, true), whole, kCoarse).dice);  // a cavity
+  for (const Solid& wrong : {beside(apart, 2, true), beside({0, 0, 0}, 1, false)}) {
+    CHECK_FALSE(wrong.isClosed());
+    const Comparison c = compare(wrong, whole, kCoarse);
+    CHECK_FALSE(c.dice);
+    CHECK_FALSE(c.overlap);
+    CHECK(c.distances);
+    REQUIRE(c.warnings.size() == 1);
+    CHECK(c.warnings[0].kind == FindingKind::objectMisplaced);
+  }
+}
+
 TEST_CASE("needles and large triangles take few samples, and a sampling that is too fine is refused",
           "[solid][compare]") {
   TriangleSoup needle;

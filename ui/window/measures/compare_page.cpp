@@ -37,9 +37,12 @@ const QString kNotCompared = QStringLiteral("–");
 
 QString volumeOf(const Solid& s) { return s.isClosed() ? fineNumber(s.volume() / 1000) : kNotCompared; }
 
+//! Of a topology that is a body's.
+QString countOf(const Solid& s, int count) { return s.isMisplaced() ? kNotCompared : QString::number(count); }
+
 QString genusOf(const Solid& s) {
   const auto& g = s.certificate.genus;
-  return QString::number(std::accumulate(g.begin(), g.end(), 0));
+  return countOf(s, std::accumulate(g.begin(), g.end(), 0));
 }
 
 struct Row {
@@ -49,9 +52,9 @@ struct Row {
 std::vector<Row> rowsOf(const ComparedPair& pair) {
   const Solid &a = pair.a.solid, &b = pair.b.solid;
   const auto count = [](const Solid& s) {
-    return QString::number(s.certificate.components - std::max(0, s.certificate.cavities));
+    return countOf(s, s.certificate.components - std::max(0, s.certificate.cavities));
   };
-  const auto cavities = [](const Solid& s) { return QString::number(std::max(0, s.certificate.cavities)); };
+  const auto cavities = [](const Solid& s) { return countOf(s, std::max(0, s.certificate.cavities)); };
   const Comparison& f = pair.found;
   const auto share = [](const std::optional<double>& value) {
     return value ? number(*value, 3) : kNotCompared;
