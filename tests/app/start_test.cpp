@@ -162,6 +162,23 @@ TEST_CASE("a start is replayed bit for bit, and another file in its place is ref
   }
 }
 
+TEST_CASE("a mesh that is inside out is turned, and one whose parts disagree is refused", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder);
+  TriangleSoup mesh = icosphere(kMiddle, 5, 1.5);
+  for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+  writeMesh(mesh, folder / "turned.stl");
+  REQUIRE(volumeOf(folder / "turned.stl") < 0);
+  require({"segment", volume, "--given", folder / "turned.stl", "-o", folder / "given.stl"});
+  CHECK(volumeOf(folder / "given.stl") == Approx(-volumeOf(folder / "turned.stl")));
+  require({"segment", volume, "--start", folder / "turned.stl", "-o", folder / "grown.stl"});
+  CHECK(volumeOf(folder / "grown.stl") > volumeOf(folder / "given.stl"));
+  std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
+  writeMesh(mesh, folder / "mixed.stl");
+  requireRefusal(folder, {"segment", volume, "--given", folder / "mixed.stl", "-o", folder / "no.stl"}, 3,
+                 "not oriented alike");
+}
+
 TEST_CASE("an anonymous session of several starts is told all of them, in any order", "[cli][start]") {
   const TempFolder folder;
   const std::string volume = ballVolume(folder);

@@ -45,7 +45,8 @@ Finding faultOf(const Certificate& c) {
 TriangleSoup certified(const std::string& path, TriangleSoup mesh) {
   if (mesh.triangles.empty()) refuseStart(path, K::hasNoTriangles);
   Certificate found = certify(mesh);
-  if (found.closed && found.oriented && found.volume < 0) {
+  // One that is inside out does not count as oriented.
+  if (found.closed && found.manifold && found.volume < 0) {
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
     found = certify(mesh);
   }
