@@ -210,3 +210,13 @@ TEST_CASE("a name that some format could not hold is refused") {
                                  std::string("a^b"), std::string("\xff\xfe"), std::string("\xc3")})
     CHECK_FALSE(objectNameFault(bad).empty());
 }
+
+TEST_CASE("the name of an object is what XML and JSON can hold") {
+  for (const char* overlong : {"\xC0\x80", "\xC0\xAF", "\xE0\x80\xAF", "\xF0\x80\x80\xAF", "\xED\xA0\x80",
+                               "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80"})
+    CHECK(objectNameFault(std::string("a") + overlong) == "is not UTF-8");
+  for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
+    CHECK(objectNameFault(std::string("a") + none + "b") == "holds a control character");
+  for (const char* good : {"\xEF\xBF\xBD", "\xED\x9F\xBF", "\xEE\x80\x80", "\xF4\x8F\xBF\xBF"})
+    CHECK(objectNameFault(good).empty());
+}

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/io/meshes/object_name.h"
+#include "core/io/utf8.h"
 
 namespace handlebody {
 
@@ -88,12 +89,10 @@ int freeLabelValue(const std::vector<int>& taken) {
 
 std::optional<std::size_t> charactersOf(const std::string& text) {
   std::size_t characters = 0;
-  for (std::size_t i = 0; i < text.size(); ++characters) {
-    const auto lead = static_cast<unsigned char>(text[i++]);
-    const int more = lead < 0x80 ? 0 : lead >> 5 == 6 ? 1 : lead >> 4 == 14 ? 2 : lead >> 3 == 30 ? 3 : -1;
-    if (more < 0) return std::nullopt;
-    for (int n = 0; n < more; ++n)
-      if (i == text.size() || (static_cast<unsigned char>(text[i++]) & 0xc0) != 0x80) return std::nullopt;
+  for (std::size_t at = 0; at < text.size(); ++characters) {
+    const std::size_t length = sequenceLength(text, at);
+    if (length == 0) return std::nullopt;
+    at += length;
   }
   return characters;
 }
@@ -105,6 +104,8 @@ NameFault nameFaultOf(const std::string& name) {
   if (*characters > kLongestName) return NameFault::tooLong;
   const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (std::any_of(name.begin(), name.end(), isControl)) return NameFault::controlCharacter;
+  for (const char* noCharacter : {"\xef\xbf\xbe", "\xef\xbf\xbf"})  // U+FFFE and U+FFFF: not in XML
+    if (name.find(noCharacter) != std::string::npos) return NameFault::controlCharacter;
   return name.find_first_of(kNameSeparators) == std::string::npos ? NameFault::none : NameFault::separator;
 }
 

@@ -58,9 +58,9 @@ const std::vector<Colour>& distinctColours();
 //! The smallest label value, from 1 on, that none of these is. Precondition: there is one.
 int freeLabelValue(const std::vector<int>& taken);
 
-//! Empty if `name` can stand in every format: 1 to 64 characters of UTF-8, none of them a control character,
-//! quote ("), backslash, or bar, tilde or caret (which separate in 3D Slicer's and DICOM's texts). Else why
-//! not, as the end of a sentence.
+//! Empty if `name` can stand in every format: 1 to 64 characters of UTF-8, none of them a control character
+//! or one that XML has not (U+FFFE, U+FFFF), quote ("), backslash, or bar, tilde or caret (which separate in
+//! 3D Slicer's and DICOM's texts). Else why not, as the end of a sentence.
 std::string objectNameFault(const std::string& name);
 
 inline constexpr int kLargestLabel = 65535;
