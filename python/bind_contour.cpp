@@ -144,7 +144,8 @@ void saveContour(const Contour& contour, const py::args& to, const std::string& 
   if (paths.empty()) throw py::type_error("save() needs a path.");
   with(contour, [&] {
     const std::lock_guard lock(filesMutex());
-    save(*contour.mesh().soup(), &contour.volume().loaded.info, paths, {space, name, label});
+    save(*contour.mesh().soup(), &contour.volume().loaded.info, paths, {space, name, label},
+         inputsOf(contour.told().session));
   });
 }
 
@@ -237,7 +238,9 @@ void bindResults(ContourClass& contour) {
         with(c, [&] { c.writeSession(path); });
       },
       py::arg("path"),
-      "save_session(path)\n\nFor `handlebody-cli replay` and the window. The volume must be from a file.");
+      "save_session(path)\n\nFor `handlebody-cli replay` and the window. The volume must be from a file. Not "
+      "over "
+      "a file that the contour was made from.");
   contour.def("__repr__", &contourName);
 }
 

@@ -53,7 +53,9 @@ void saveMesh(const PythonMesh& mesh, const py::object& to, const VolumePointer&
   const std::string path = pathOf(to);
   withoutLock([&] {
     const std::lock_guard lock(filesMutex());
-    save(*mesh.soup(), volume ? &volume->loaded.info : nullptr, {path}, {space, name, label});
+    std::vector<std::string> inputs;
+    if (volume) inputs.push_back(volume->loaded.info.path);
+    save(*mesh.soup(), volume ? &volume->loaded.info : nullptr, {path}, {space, name, label}, inputs);
   });
 }
 

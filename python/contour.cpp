@@ -144,6 +144,7 @@ RunReport Contour::report(bool isComplete) const {
 void Contour::writeSession(const std::string& path) const {
   if (volume_->reference.path.empty())
     throw UsageError(path + ": a session names the file of its volume, and this one was made from an array.");
+  for (const std::string& input : inputsOf(told_.session)) requireOther(path, input);
   Session session = told_.session;
   if (active_.stopReason() == StopReason::running) session.stopAt = active_.iteration();
   handlebody::writeSession(session, path);

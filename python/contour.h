@@ -54,7 +54,8 @@ class Contour {
   const RunReport& told() const { return told_; }
   const ActiveContour& active() const { return active_; }
   const PythonVolume& volume() const { return *volume_; }
-  //! What `handlebody-cli replay` and the window take. Throws UsageError if the volume has no file.
+  //! What `handlebody-cli replay` and the window take. Throws UsageError if the volume has no file, or `path`
+  //! belongs to a file that the session reads.
   void writeSession(const std::string& path) const;
 
  private:

@@ -5,6 +5,7 @@
 #include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/io/formats/label_map.h"
+#include "core/io/formats/volume_files.h"
 
 namespace handlebody::python {
 
@@ -57,13 +58,17 @@ ObjectLabel labelOf(const SaveSettings& settings) {
 }  // namespace
 
 void requireOther(const std::string& path, const std::string& input) {
+  if (input.empty()) return;
   std::error_code failed;
-  if (!input.empty() && std::filesystem::equivalent(path, input, failed))
-    throw UsageError(path + " is the volume that was read, and is not overwritten.");
+  if (std::filesystem::is_directory(input, failed) && belongsToVolume(path, input))
+    throw UsageError(path +
+                     " would lie in the folder that was read, all of whose files belong to the volume.");
+  if (std::filesystem::equivalent(path, input, failed) || belongsToVolume(path, input))
+    throw UsageError(path + " belongs to what was read, and is not overwritten.");
 }
 
 void save(const TriangleSoup& mesh, const VolumeInfo* volume, const std::vector<std::string>& paths,
-          const SaveSettings& settings) {
+          const SaveSettings& settings, const std::vector<std::string>& inputs) {
   ExportContext context;
   context.space = spaceOf(settings.space);
   if (volume) {
@@ -72,7 +77,7 @@ void save(const TriangleSoup& mesh, const VolumeInfo* volume, const std::vector<
   }
   for (const std::string& path : paths) {
     requireKnown(path, volume);
-    if (volume) requireOther(path, volume->path);
+    for (const std::string& input : inputs) requireOther(path, input);
     checkResult(path, context);
   }
   const ObjectLabel label = labelOf(settings);

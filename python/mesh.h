@@ -35,14 +35,14 @@ struct SaveSettings {
   int label = 1;       //!< of its voxels
 };
 
-//! Throws UsageError if `path` is the file `input`; that may be empty.
+//! Throws UsageError if writing `path` would change `input` (belongsToVolume); that may be empty.
 void requireOther(const std::string& path, const std::string& input);
 
 //! Writes the mesh by the ending of each path, rounded to single precision and certified as the command line
 //! does. `volume` gives the grid of label maps and what DICOM files are made for; null: neither is written.
-//! No path may be `input`. Throws UsageError, OutputError, InputError; nothing is written if it fails its
-//! certificate.
+//! No path may belong to one of `inputs`. Throws UsageError, OutputError, InputError; nothing is written if
+//! it fails its certificate.
 void save(const TriangleSoup& mesh, const VolumeInfo* volume, const std::vector<std::string>& paths,
-          const SaveSettings& settings);
+          const SaveSettings& settings, const std::vector<std::string>& inputs);
 
 }  // namespace handlebody::python

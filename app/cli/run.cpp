@@ -18,7 +18,6 @@
 #include "core/io/report/growth_report.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/result.h"
-#include "core/io/report/session_files.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/voxel_fingerprint.h"
 #include "core/io/report/wall_map.h"
@@ -69,14 +68,6 @@ void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space) {
   command
       .add_option_function<std::string>("--space", set, "Coordinates of the mesh files: LPS (default) or RAS")
       ->type_name("LPS|RAS");
-}
-
-std::vector<std::string> inputsOf(const Session& session) {
-  std::vector<std::string> inputs{session.volume.path};
-  const auto add = [&inputs](const auto& file) { inputs.push_back(file.path); };
-  forEachWallMap(session, add);
-  forEachStart(session, add);
-  return inputs;
 }
 
 namespace {

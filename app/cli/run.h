@@ -51,9 +51,6 @@ void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space);
 //! object has; with a single object such a text is a path.
 void assignResults(RunOutputs& outputs, const std::vector<ObjectLabel>& objects);
 
-//! The files that a session reads: no output may be one of them.
-std::vector<std::string> inputsOf(const Session& session);
-
 //! Before any work, after assignResults: throws UsageError if an output, or one of the further `files`, has
 //! no known extension or cannot be written.
 void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs,

@@ -103,6 +103,26 @@ def test_nothing_is_written_over_the_volume(torus_file, tmp_path, cli):
     assert path.read_bytes() == before and list(tmp_path.iterdir()) == []
 
 
+def test_nothing_is_written_over_walls_a_start_or_the_volume_of_a_session(torus_file, tmp_path):
+    path, seed = torus_file
+    volume = handlebody.read_volume(path)
+    labels = np.zeros(volume.grid.shape, np.uint8)
+    labels[0, 0, 0] = 1
+    walls, start = tmp_path / "walls.nrrd", tmp_path / "start.stl"
+    handlebody.Volume(labels, volume.grid.spacing, volume.grid.origin, volume.grid.direction).save(walls)
+    first = handlebody.Contour(volume, seed=seed)
+    first.run(3)
+    first.save(start)
+    contour = handlebody.Contour(volume, start=start, walls=walls)
+    before = {name: name.read_bytes() for name in (path, walls, start)}
+    for name in before:
+        with pytest.raises(handlebody.UsageError, match="not overwritten"):
+            contour.save_session(name)
+        with pytest.raises(handlebody.UsageError, match="not overwritten"):
+            contour.save(name)
+    assert all(name.read_bytes() == bytes for name, bytes in before.items())
+
+
 def test_compare_has_the_figures_of_the_command_line(ball, grown, tmp_path, cli):
     grown.save(tmp_path / "mesh.obj")
     ball.truth.save(tmp_path / "truth.nii.gz")

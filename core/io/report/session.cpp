@@ -172,6 +172,14 @@ bool isSeeded(const Session& session) {
   return session.constraints.start || !seedsOfSide(session.seeds, false).empty();
 }
 
+std::vector<std::string> inputsOf(const Session& session) {
+  std::vector<std::string> inputs{session.volume.path};
+  const auto add = [&inputs](const auto& file) { inputs.push_back(file.path); };
+  forEachWallMap(session, add);
+  forEachStart(session, add);
+  return inputs;
+}
+
 Session anonymous(Session session) {
   session.volume.path.clear();
   if (!session.volume.selection.series) session.volume.voxels.clear();

@@ -61,6 +61,10 @@ void writeSessions(const std::vector<Session>& objects, const std::string& path)
 //! grow from.
 bool isSeeded(const Session& session);
 
+//! The files that a session reads (volume, label maps of walls, surfaces to begin with): no output may be one
+//! of them, or belong to one (belongsToVolume).
+std::vector<std::string> inputsOf(const Session& session);
+
 //! Without what may name the patient: the paths of the volume, of the label map of walls and of the surface
 //! to begin with, the series, what a window keeps, and what may name a site (withoutSite). Such a session
 //! says null for the paths, and keeps the voxels where a series was chosen.
