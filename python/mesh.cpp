@@ -80,6 +80,9 @@ void save(const TriangleSoup& mesh, const VolumeInfo* volume, const std::vector<
     for (const std::string& input : inputs) requireOther(path, input);
     checkResult(path, context);
   }
+  if (context.space == CoordinateSpace::ras && areSpacesFixed(paths))
+    throw UsageError(
+        "space: RAS has no effect: .gltf (in metres, y up) and .stl.dcm (LPS) have a space of their own.");
   const ObjectLabel label = labelOf(settings);
   writeResults({{label, certifiedForExport(mesh).mesh}}, context, paths);
 }

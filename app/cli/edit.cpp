@@ -158,6 +158,7 @@ void checkOptions(const EditOptions& o) {
     checkSurfaceExtension(files.back());
     checkResult(path, {});
   }
+  checkSpace(o.space, o.results);
   if (!o.report.empty()) files.push_back({"--report", o.report});
   checkWritable(files, {o.path});
 }

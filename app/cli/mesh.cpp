@@ -39,7 +39,7 @@ struct MeshOptions {
   bool keepLargest = false, json = false;
   LabelMeshOptions how;
   std::vector<std::string> results;
-  std::string space = "LPS";
+  CoordinateSpace space = CoordinateSpace::lps;
   ObjectOptions object;
   DicomContent content;
   bool quiet = false;
@@ -137,12 +137,12 @@ int mesh(const MeshOptions& o) {
     if (!isResultPath(path))
       throw UsageError("-o " + path + ": an output ends in " + std::string(resultEndings()) + ".");
   }
+  checkSpace(o.space, o.results);
   checkWritable(files, {o.labels});
   const std::optional<int> label = labelOf(o.labels, o.label);
   LabelFile file = openLabels(o.labels, o.frame);
   const VolumeInfo& info = file.info();
-  const ExportContext context{info.grid, o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
-                              info.dicom, o.content, o.mesherSeconds};
+  const ExportContext context{info.grid, o.space, info.dicom, o.content, o.mesherSeconds};
   for (const std::string& path : o.results) checkResult(path, context);
   requireSmooth(info.grid, o.how.smoothing);
   const Mask mask = maskIn(file, o, label);
@@ -192,7 +192,7 @@ void addShape(CLI::App& command, MeshOptions& o) {
       [&o](const std::string& t) { o.how.threads = parseInteger("--threads", t, 1, kMaxThreads); });
   add("--space", "LPS|RAS", "Coordinates of mesh files (default LPS)", [&o](const std::string& t) {
     if (t != "LPS" && t != "RAS") throw OptionError("--space", "'" + t + "' is not LPS or RAS.");
-    o.space = t;
+    if (t == "RAS") o.space = CoordinateSpace::ras;
   });
 }
 

@@ -102,6 +102,13 @@ void checkResultExtension(const OutputFile& file) {
     throw OptionError(file.option, file.path + ": unknown extension; " + resultEndings() + ".", " ");
 }
 
+void checkSpace(std::optional<CoordinateSpace> space, const std::vector<std::string>& results) {
+  if (space == CoordinateSpace::ras && areSpacesFixed(results))
+    throw OptionError(
+        "--space", "RAS has no effect: .gltf (in metres, y up) and .stl.dcm (LPS) have a space of their own.",
+        " ");
+}
+
 namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ void checkSurfaceExtension(const OutputFile& file);
 void checkVolumeExtension(const OutputFile& file);
 //! Throws UsageError unless it is .png.
 void checkPictureExtension(const OutputFile& file);
+
+//! Throws UsageError if RAS was chosen, and all meshes are of formats whose space is fixed: it would be of no
+//! effect.
+void checkSpace(std::optional<CoordinateSpace> space, const std::vector<std::string>& results);
 
 //! Holds interrupt, termination and hang-up back while it lives, so that no file is left half-written; a
 //! signal that came takes effect when it goes.

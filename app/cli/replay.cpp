@@ -79,6 +79,7 @@ int replay(ReplayOptions o) {
     if (!o.overTime.curves.empty()) throw UsageError("--curve needs a session that was made with --frames.");
     checkOutputs(o.outputs, inputs);
   }
+  checkSpace(o.space, o.outputs.results);
   if (version != HANDLEBODY_VERSION)
     std::cerr << "handlebody-cli: warning: " << o.path << " was made by version " << version << "; this is "
               << HANDLEBODY_VERSION << ", and the mesh may differ." << std::endl;

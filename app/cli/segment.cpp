@@ -106,6 +106,7 @@ int segment(SegmentOptions o) {
   } else {
     checkOutputs(o.outputs, inputsOf(session));
   }
+  checkSpace(o.space, o.outputs.results);
 
   LoadedSession loaded = load(std::move(session), o.outputs.content.anonymous);
   loaded.session.seeds = seedsInWorld(clicks, loaded.volume.grid);
@@ -239,6 +240,7 @@ int segmentSeveral(SeveralObjects all) {
   for (const Session& session : all.sessions)
     for (const std::string& path : inputsOf(session)) inputs.push_back(path);
   checkOutputs(all.run.outputs, inputs);
+  checkSpace(all.run.space, all.run.outputs.results);
   LoadedSession first = load(std::move(all.sessions[0]), all.run.outputs.content.anonymous);
   first.session.seeds = seedsInWorld(all.clicks[0], first.volume.grid);
   std::vector<Session> others;

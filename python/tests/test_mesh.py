@@ -72,6 +72,8 @@ def test_ras_is_turned_in_the_file_and_back(grown, tmp_path):
     np.testing.assert_array_equal(handlebody.read_mesh(tmp_path / "ras.vtp").vertices, grown.mesh().vertices)
     with pytest.raises(handlebody.UsageError, match="space: 'XYZ'"):
         grown.save(tmp_path / "x.vtp", space="XYZ")
+    with pytest.raises(handlebody.UsageError, match="RAS has no effect"):
+        grown.save(tmp_path / "x.gltf", space="RAS")
 
 
 def test_what_cannot_be_written_leaves_nothing_behind(ball, grown, tmp_path):

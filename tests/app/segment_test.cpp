@@ -6,6 +6,7 @@
 
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
+#include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 
@@ -197,6 +198,21 @@ TEST_CASE("a label map lies on the input grid and encloses the volume of the mes
     // either way, and the errors cancel to far below this bound.
     CHECK(static_cast<double>(inside) * label.grid.voxelVolume() == Approx(meshVolume).epsilon(0.03));
   }
+}
+
+TEST_CASE("RAS is refused where no mesh that is written could be turned", "[cli][segment]") {
+  const SphereRun run;
+  const std::string gltf = run.folder / "m.gltf", dicom = run.folder / "m.stl.dcm";
+  for (const auto& paths :
+       std::vector<std::vector<std::string>>{{gltf}, {gltf, dicom}, {gltf, run.folder / "m.nii"}}) {
+    std::vector<std::string> arguments{"segment",        run.phantom.path, "--seed",
+                                       run.phantom.seed, "--space",        "RAS"};
+    for (const std::string& path : paths) arguments.insert(arguments.end(), {"-o", path});
+    requireRefusal(run.folder, arguments, 2, "--space RAS has no effect");
+  }
+  run.requireSuccess({"-o", gltf, "-o", run.folder / "m.stl", "--space", "RAS"});
+  run.requireSuccess({"-o", gltf, "--space", "LPS"});
+  run.requireSuccess({"-o", run.folder / "m.nii", "--space", "RAS"});
 }
 
 TEST_CASE("RAS turns x and y, says so, and comes back the same", "[cli][segment]") {

@@ -132,6 +132,14 @@ bool isResultPath(const std::string& path) {
          isDicomResult(path) || isTetrahedraPath(path) || isLabelDescriptionPath(path);
 }
 
+bool areSpacesFixed(const std::vector<std::string>& paths) {
+  const auto isFixed = [](const std::string& path) { return isGltfPath(path) || isDicomStlPath(path); };
+  const auto isFree = [](const std::string& path) {
+    return isMeshPath(path) || isThreeMfPath(path) || isTetrahedraPath(path);
+  };
+  return std::any_of(paths.begin(), paths.end(), isFixed) && std::none_of(paths.begin(), paths.end(), isFree);
+}
+
 void checkResult(const std::string& path, const ExportContext& context) {
   if (isTetrahedraPath(path))
     if (!tetrahedraFault().empty())
