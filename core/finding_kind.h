@@ -439,10 +439,11 @@ enum class FindingKind {
   formsDisagree,  //!< apart_mm
   tiffWithoutPlace,
   isSegmentation,
-  spacingOverridden,  //!< x_mm, y_mm, z_mm
-  frameZeroUsed,      //!< frames
-  firstLayerUsed,     //!< layers
-  firstFrameUsed,     //!< frames
+  sliceDistanceGuessed,  //!< spacing_mm, thickness_mm
+  spacingOverridden,     //!< x_mm, y_mm, z_mm
+  frameZeroUsed,         //!< frames
+  firstLayerUsed,        //!< layers
+  firstFrameUsed,        //!< frames
   uncalibrated,
   voxelsNotNumbers,  //!< none, voxels
 

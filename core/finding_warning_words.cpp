@@ -44,6 +44,12 @@ constexpr FindingWords kWords[] = {
                        "are assumed.")},
     {K::isSegmentation, "is-segmentation",
      QT_TRANSLATE_NOOP("Findings", "This is a segmentation: its voxels hold the numbers of the segments.")},
+    {K::sliceDistanceGuessed, "slice-distance-guessed",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "The header does not state the distance of the slices: {spacing_mm:4g} mm are taken, the "
+         "least between its frames, though a slice is {thickness_mm:4g} mm thick. Slices may be "
+         "left out.")},
     {K::spacingOverridden, "spacing-overridden",
      QT_TRANSLATE_NOOP("Findings",
                        "The spacing was given by the user; the file says {x_mm:4g} mm, {y_mm:4g} mm, "

@@ -2167,6 +2167,10 @@
         <source>{object} has parts that lie where they bound nothing, as one does that is inside out: it has no volume, and there is no Dice coefficient.</source>
         <translation>{object} hat Teile, die dort, wo sie liegen, nichts begrenzen, etwa weil ihr Inneres außen ist: Es gibt kein Volumen und keinen Dice-Koeffizienten.</translation>
     </message>
+    <message>
+        <source>The header does not state the distance of the slices: {spacing_mm:4g} mm are taken, the least between its frames, though a slice is {thickness_mm:4g} mm thick. Slices may be left out.</source>
+        <translation>Der Header nennt den Abstand der Schichten nicht: Angenommen werden {spacing_mm:4g} mm, der kleinste zwischen seinen Bildern, obwohl eine Schicht {thickness_mm:4g} mm dick ist. Schichten können ausgelassen sein.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

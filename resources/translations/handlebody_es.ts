@@ -2167,6 +2167,10 @@
         <source>{object} has parts that lie where they bound nothing, as one does that is inside out: it has no volume, and there is no Dice coefficient.</source>
         <translation>{object} tiene partes que no delimitan nada donde están, como una vuelta del revés: no hay volumen ni coeficiente de Dice.</translation>
     </message>
+    <message>
+        <source>The header does not state the distance of the slices: {spacing_mm:4g} mm are taken, the least between its frames, though a slice is {thickness_mm:4g} mm thick. Slices may be left out.</source>
+        <translation>La cabecera no indica la distancia entre los cortes: se toman {spacing_mm:4g} mm, la menor entre sus imágenes, aunque un corte tiene {thickness_mm:4g} mm de espesor. Puede que se hayan omitido cortes.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

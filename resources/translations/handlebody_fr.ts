@@ -2167,6 +2167,10 @@
         <source>{object} has parts that lie where they bound nothing, as one does that is inside out: it has no volume, and there is no Dice coefficient.</source>
         <translation>{object} a des parties qui ne délimitent rien là où elles se trouvent, comme une partie retournée : pas de volume ni de coefficient de Dice.</translation>
     </message>
+    <message>
+        <source>The header does not state the distance of the slices: {spacing_mm:4g} mm are taken, the least between its frames, though a slice is {thickness_mm:4g} mm thick. Slices may be left out.</source>
+        <translation>L’en-tête ne donne pas l’écart entre les coupes : on prend {spacing_mm:4g} mm, le plus petit entre ses images, alors qu’une coupe fait {thickness_mm:4g} mm d’épaisseur. Des coupes peuvent avoir été omises.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

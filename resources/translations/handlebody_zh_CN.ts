@@ -2167,6 +2167,10 @@
         <source>{object} has parts that lie where they bound nothing, as one does that is inside out: it has no volume, and there is no Dice coefficient.</source>
         <translation>{object} 有部分位于不界定任何区域之处，例如内外翻转的部分：没有体积，也没有 Dice 系数。</translation>
     </message>
+    <message>
+        <source>The header does not state the distance of the slices: {spacing_mm:4g} mm are taken, the least between its frames, though a slice is {thickness_mm:4g} mm thick. Slices may be left out.</source>
+        <translation>文件头未说明切面间距：采用其帧之间的最小距离 {spacing_mm:4g} mm，而切面厚度为 {thickness_mm:4g} mm。可能省略了部分切面。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

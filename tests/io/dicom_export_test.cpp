@@ -106,6 +106,40 @@ TEST_CASE("a segmentation that is read back holds the same voxels at the same pl
       }
 }
 
+TEST_CASE(
+    "a segmentation that leaves slices out and does not state their distance says what is taken for it") {
+  const Source source;
+  const std::string path = source.folder / "out.seg.dcm";
+  const auto inSlices = [&](int first, int second) {
+    void* buffer = nullptr;
+    const Volume labels = makeVolume(source.grid(), VoxelType::uint8, &buffer);
+    static_cast<std::uint8_t*>(buffer)[first * 35 + 8] = 3;
+    static_cast<std::uint8_t*>(buffer)[second * 35 + 9] = 9;
+    writeDicomSegmentation(labels, twoOrgans(), source.origin(), {}, path);
+    std::string bytes = readBytes(path);
+    const std::string stated("\x18\0\x88\0DS", 6);
+    REQUIRE(bytes.find(stated) != std::string::npos);
+    bytes[bytes.find(stated) + 2] = '\x87';  // the strength of the magnet
+    return bytes;
+  };
+  const auto isGuessed = [](const VolumeInfo& info) {
+    return std::any_of(info.warnings.begin(), info.warnings.end(),
+                       [](const Finding& w) { return w.kind == FindingKind::sliceDistanceGuessed; });
+  };
+  const double thick = source.grid().spacing.z();
+  const std::string apart = inSlices(1, 4);
+  CHECK_FALSE(isGuessed(inspectVolume(path)));  // it is stated
+  CHECK(inspectVolume(path).grid.size[2] == 4);
+  writeBytes(path, apart);
+  const VolumeInfo info = inspectVolume(path);
+  CHECK(info.grid.spacing.z() == Approx(3 * thick));
+  REQUIRE(isGuessed(info));
+  CHECK_THAT(sentence(info.warnings), Contains("The header does not state the distance of the slices"));
+  writeBytes(path, inSlices(1, 2));
+  CHECK(inspectVolume(path).grid.spacing.z() == Approx(thick));
+  CHECK_FALSE(isGuessed(inspectVolume(path)));
+}
+
 TEST_CASE("a segmentation belongs to patient and study of its series and refers to its images") {
   const Source source;
   DicomContent content;

@@ -131,6 +131,7 @@ void readMeasures(const Groups& groups, DicomPlace& place, DicomFile& f) {
     setPixelSpacing(dicom::numbers(dicom::text(data, {0x0028, 0x0030})), place);
     if (place.pixelSpacing) f.spacingSource = "Pixel Measures: PixelSpacing (0028,0030)";
     f.sliceDistance = dicom::number(data, {0x0018, 0x0088});
+    f.sliceThickness = dicom::number(data, {0x0018, 0x0050});
     f.distanceSource = "Pixel Measures: SpacingBetweenSlices (0018,0088)";
   });
   groups.visit({0x0028, 0x9145}, [&](const DataSet& data) {

@@ -40,12 +40,13 @@ struct DicomFile {
   int bitsAllocated = 16, bitsStored = 16, highBit = 15;
   bool isSigned = false, planar = false;
   int instanceNumber = 0, acquisitionNumber = 0;
-  std::optional<double> sliceDistance{};  //!< mm, where the header states it for all frames
-  bool cine = false;                      //!< frames follow one another in time, not in space
-  bool ownFrameOfReference = false;       //!< positions are in the frame of the ultrasound volume
-  std::vector<DicomPlace> places{};       //!< one per frame
-  bool placed = false;                    //!< the header says where every frame lies
-  bool slopeWasZero = false;              //!< of a frame; it is 1 there
+  std::optional<double> sliceDistance{};   //!< mm, where the header states it for all frames
+  std::optional<double> sliceThickness{};  //!< the same
+  bool cine = false;                       //!< frames follow one another in time, not in space
+  bool ownFrameOfReference = false;        //!< positions are in the frame of the ultrasound volume
+  std::vector<DicomPlace> places{};        //!< one per frame
+  bool placed = false;                     //!< the header says where every frame lies
+  bool slopeWasZero = false;               //!< of a frame; it is 1 there
   std::string spacingSource{}, positionSource{}, orientationSource{}, distanceSource{}, timeSource{};
   CartesianEcho echo{};
   DicomStructure structure{};

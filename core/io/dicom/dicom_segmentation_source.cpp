@@ -16,6 +16,8 @@ namespace {
 
 using Bits = std::vector<unsigned char>;
 
+constexpr double kOtherThickness = 0.1;  // part of it: more than headers round
+
 //! Voxels of some segments, slice by slice.
 class Layer {
  public:
@@ -56,6 +58,7 @@ class SegmentationSource : public DecodedSource {
   void checkPixels() const;
   void setOrigin();
   void setGrid();
+  double pitchOf(double leastStep);
   void setSlices(double pitch);
   Bits bitsOf(std::size_t frame);
   void setLayers();
@@ -128,14 +131,23 @@ void SegmentationSource::setGrid() {
   for (double& a : along_) a -= low;
   std::vector<double> sorted = along_;
   std::sort(sorted.begin(), sorted.end());
-  double pitch = 0;
+  double least = 0;
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (const double step = sorted[i] - sorted[i - 1]; step > kSamePlace)
-      pitch = pitch > 0 ? std::min(pitch, step) : step;
-  // What the header states counts: the frames may leave slices out.
-  if (file_.sliceDistance && *file_.sliceDistance > kSamePlace) pitch = *file_.sliceDistance;
-  if (pitch <= 0) refuse(FindingKind::sliceDistanceUnknown);
-  setSlices(pitch);
+      least = least > 0 ? std::min(least, step) : step;
+  setSlices(pitchOf(least));
+}
+
+//! What the header states counts: the frames may leave slices out. Where it states nothing they may have done
+//! so, if slices are not as thick as frames are apart.
+double SegmentationSource::pitchOf(double leastStep) {
+  if (file_.sliceDistance && *file_.sliceDistance > kSamePlace) return *file_.sliceDistance;
+  if (leastStep <= 0) refuse(FindingKind::sliceDistanceUnknown);
+  const double thickness = file_.sliceThickness.value_or(0);
+  if (thickness > kSamePlace && std::abs(leastStep - thickness) > kOtherThickness * thickness)
+    header_.warnings.push_back(
+        {FindingKind::sliceDistanceGuessed, {{"spacing_mm", leastStep}, {"thickness_mm", thickness}}});
+  return leastStep;
 }
 
 void SegmentationSource::setSlices(double pitch) {
