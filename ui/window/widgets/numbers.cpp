@@ -10,7 +10,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kMostDecimals = 7;
+constexpr int kMaxDecimals = 7;
 
 QString written(double value, int digits, int mostDecimals) {
   if (std::isinf(value)) return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
@@ -23,8 +23,8 @@ QString written(double value, int digits, int mostDecimals) {
 QString number(double value, int digits) { return written(value, digits, digits); }
 
 QString fineNumber(double value, int digits) {
-  const bool isSeen = std::abs(value) >= std::pow(10, -kMostDecimals);
-  return written(value, digits, isSeen ? std::max(digits, kMostDecimals) : digits);
+  const bool isSeen = std::abs(value) >= std::pow(10, -kMaxDecimals);
+  return written(value, digits, isSeen ? std::max(digits, kMaxDecimals) : digits);
 }
 
 QString millilitres(double cubicMillimetres, int digits) {
