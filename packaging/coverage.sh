@@ -19,5 +19,5 @@ tests = enumerate(json.load(sys.stdin)["tests"], 1)
 ours = [i for i, t in tests if os.path.basename(t.get("command", [""])[0]) in sys.argv[1].split()]
 print("0,0,0," + ",".join(map(str, ours)))' "$programs" > build/coverage/tests.list
 ctest --preset coverage -j "$(nproc)" --timeout 3600 -LE slow -I build/coverage/tests.list
-gcovr --root . --object-directory build/coverage --filter 'core/' --exclude-throw-branches \
+gcovr --root . --gcov-ignore-parse-errors --object-directory build/coverage --filter 'core/' --exclude-throw-branches \
   --html-details build/coverage/core.html --print-summary --fail-under-line 95 build/coverage

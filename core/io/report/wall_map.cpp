@@ -42,7 +42,9 @@ std::vector<bool> voxelsOf(const Mask& mask, const Grid& grid) {
   const Vec3 first = grid.toIndex(mask.grid.origin);
   const int low[] = {static_cast<int>(std::lround(first.x())), static_cast<int>(std::lround(first.y())),
                      static_cast<int>(std::lround(first.z()))};
-  const auto place = [&](int axis, int index) { return static_cast<std::size_t>(low[axis] + index); };
+  const auto place = [&](int axis, int index) {
+    return static_cast<std::size_t>(low[axis]) + static_cast<std::size_t>(index);
+  };
   const auto nx = static_cast<std::size_t>(grid.size[0]), ny = static_cast<std::size_t>(grid.size[1]);
   for (int z = 0; z < mask.grid.size[2]; ++z)
     for (int y = 0; y < mask.grid.size[1]; ++y)
