@@ -62,16 +62,10 @@ namespace {
 constexpr double kPlain = 1e15;  // what is larger has an exponent, not hundreds of digits
 
 std::string number(double value, const std::string& format) {
-  char text[64];
-  if (format.empty() || std::abs(value) >= kPlain)
-    std::snprintf(text, sizeof text, "%.6g", value);
-  else if (format.back() == 'm')
-    std::snprintf(text, sizeof text, std::abs(value) >= 100 ? "%.0f" : "%.3g", value);
-  else if (format.back() == 'f')
-    std::snprintf(text, sizeof text, "%.*f", std::stoi(format), value);
-  else
-    std::snprintf(text, sizeof text, "%.*g", std::stoi(format), value);
-  return text;
+  if (format.empty() || std::abs(value) >= kPlain) return numberText(value);
+  if (format.back() == 'm') return std::abs(value) >= 100 ? printed("%.0f", value) : printed("%.3g", value);
+  if (format.back() == 'f') return printed("%.*f", std::stoi(format), value);
+  return printed("%.*g", std::stoi(format), value);
 }
 
 std::string inEnglish(const FindingValue& value, std::string_view format) {

@@ -156,7 +156,7 @@ ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters 
   requireSensible(constraints, volume.grid);
   state_->volume = std::move(volume);
   state_->object = objectOf(state_->volume, seeds, parameters, constraints.start, memory);
-  state_->start({std::move(seeds), std::move(parameters), constraints});
+  state_->start({std::move(seeds), parameters, constraints});
 }
 ActiveContour::ActiveContour(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ActiveContour::~ActiveContour() = default;

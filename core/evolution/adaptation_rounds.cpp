@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "core/cancellation.h"
+#include "core/evolution/unseen_change.h"
 #include "core/indices.h"
 
 namespace handlebody {
@@ -21,15 +22,16 @@ VertexMarks verticesOf(const Mesh& mesh, const std::vector<FacePair>& pairs) {
 
 }  // namespace
 
-void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings settings, double longest,
-                   Attempt& a) {
+void AdaptationRounds::run(Mesh& mesh, CollisionDetector& detector, AdaptationSettings settings,
+                           double longest, Attempt& a) {
   VertexMarks changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<FacePair>& pairs = detector.detectMoved(mesh, changed);
     if (pairs.empty()) return;
     giveUpIfCancelled();
+    seen_ = mesh;
     changed = verticesOf(mesh, pairs);
-    AdaptationResult result = adaptTopology(mesh, pairs, settings, changed);
+    AdaptationResult result = surgery_(mesh, pairs, settings, changed);
     if (!result.events.empty()) settings.topology = result.events.back().after;
     a.events.insert(a.events.end(), std::make_move_iterator(result.events.begin()),
                     std::make_move_iterator(result.events.end()));
@@ -38,6 +40,10 @@ void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings s
     for (std::size_t v = 0; v < changed.size(); ++v) a.touched[v] = a.touched[v] | changed[v];
     if (!result.conflicts.empty()) {
       a.conflicts = std::move(result.conflicts);
+      return;
+    }
+    if (const auto v = unseenChange(seen_, mesh, changed)) {
+      a.conflicts.push_back({mesh.position(*v), 2 * longest, FindingKind::unseenChange});
       return;
     }
   }

@@ -94,7 +94,7 @@ struct LabelShape {
   std::optional<double> smoothing{};  //!< mm, standard deviation, 0: none; not given: a voxel along each axis
   std::optional<int> genus{};         //!< no more tunnels than these, by the fewest voxels
   bool keepsLargest = false;          //!< only its largest 6-connected part
-  auto operator<=>(const LabelShape&) const = default;
+  auto operator<=>(const LabelShape&) const = default;  // NOLINT(modernize-use-nullptr): the compiler's own 0
 };
 
 //! A surface from a file: what the growth begins with in place of spheres, or the object itself.

@@ -59,6 +59,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/stop_decision.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/transaction.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/unseen_change.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/voxel_flood.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_disc.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_guard.cpp

@@ -5,8 +5,7 @@
 #include <stdexcept>
 
 #include "core/collision/certify.h"
-#include "core/indices.h"
-#include "core/mesh/changed_blocks.h"
+#include "core/evolution/unseen_change.h"
 #include "core/mesh/nesting.h"
 
 namespace handlebody {
@@ -22,8 +21,6 @@ constexpr bool kChecksWhole = false;
 #endif
 
 bool has(const Mesh& mesh, int v) { return v >= 0 && v < mesh.vertexSlots() && mesh.isVertex(v); }
-
-bool isTouched(const StepResult& step, int v) { return idx(v) < step.touched.size() && step.touched[v] != 0; }
 
 Conflict conflictAt(const StepResult& step, const Vec3& place, FindingKind reason) {
   return {place, kAround * step.longest, reason};
@@ -88,24 +85,10 @@ std::vector<Conflict> StepCheck::structureFaults(const StepResult& step) {
 
 //! Precondition: the structure has been examined.
 std::vector<Conflict> StepCheck::coverageFaults(const StepResult& step) const {
-  constexpr FindingKind kUnseen = FindingKind::unseenChange;
-  for (const int f : structure_.newFaces()) {
-    const Triangle& t = step.mesh.face(f);
-    if (!isTouched(step, t[0]) && !isTouched(step, t[1]) && !isTouched(step, t[2]))
-      return {conflictAt(step, t[0], kUnseen)};
-  }
-  const int common = std::min(step.before.vertexSlots(), step.mesh.vertexSlots());
-  const int known = std::min(common, static_cast<int>(step.touched.size()));
-  const Vec3 *was = step.before.positions().data(), *is = step.mesh.positions().data();
-  int unseen = -1;
-  visitChangedBlocks(
-      common, [&](int v, int n) { return areSame(was + v, is + v, n); },
-      [&](int v) {
-        if (v < known && step.touched[v] != 0) return;
-        if (step.mesh.isVertex(v) && is[v] != was[v]) unseen = v;
-      });
-  if (unseen >= 0) return {conflictAt(step, unseen, kUnseen)};
-  return {};
+  std::optional<int> unseen = unseenFace(step.mesh, structure_.newFaces(), step.touched);
+  if (!unseen) unseen = unseenMove(step.before, step.mesh, step.touched);
+  if (!unseen) return {};
+  return {conflictAt(step, *unseen, FindingKind::unseenChange)};
 }
 
 //! Without surgery nothing can have joined or parted, and the Euler number is known from the counts.

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/cancellation.h"
-#include "core/evolution/adaptation_rounds.h"
 #include "core/evolution/pinned_check.h"
 
 namespace handlebody {
@@ -126,7 +125,7 @@ void StepTransaction::adapt(Mesh& mesh, const StepScene& scene, Attempt& a) {
   };
   detector_.use(scene.broadPhase);
   detector_.useThreads(scene.motion.threads);
-  adaptInRounds(mesh, detector_, std::move(settings), scene.limits.longest, a);
+  rounds_.run(mesh, detector_, std::move(settings), scene.limits.longest, a);
 }
 
 void StepTransaction::deleteCollapsed(Mesh& mesh, const StepScene& scene, Attempt& a) {

@@ -6,6 +6,7 @@
 
 #include "core/collision/self_intersection.h"
 #include "core/evolution/active_vertices.h"
+#include "core/evolution/adaptation_rounds.h"
 #include "core/evolution/collapsed_components.h"
 #include "core/evolution/constraints.h"
 #include "core/evolution/motion.h"
@@ -89,6 +90,7 @@ class StepTransaction {
 
   Scratch<Transaction> transaction_;
   Scratch<CollisionDetector> detector_;
+  Scratch<AdaptationRounds> rounds_;
   CollapsedComponents collapsed_;
   WorkBudget work_{kStepWork};  // of the step that is being made
 };

@@ -236,10 +236,8 @@ PolishCount countBad(const TriangleSoup& mesh) {
 Finding polishWarning(const PolishReport& report) {
   const PolishCount& left = report.after;
   if (left.faces == 0 && left.edges == 0) return {};
-  char text[400];
   const Vec3 at = report.left.empty() ? Vec3(Vec3::Zero()) : report.left.front();
-  std::snprintf(
-      text, sizeof text,
+  std::string text = printed(
       "polishing leaves %d thin triangle%s and %d sharp edge%s (least angle of the mesh %.2g degrees, "
       "least dihedral angle %.2g), the worst at %.4g,%.4g,%.4g: %s",
       left.faces, left.faces == 1 ? "" : "s", left.edges, left.edges == 1 ? "" : "s", left.leastAngle,
@@ -252,7 +250,7 @@ Finding polishWarning(const PolishReport& report) {
           {{"thin_faces", left.faces},
            {"sharp_edges", left.edges},
            {"place", placeValue(at)},
-           {"text", std::string(text)}}};
+           {"text", std::move(text)}}};
 }
 
 }  // namespace handlebody

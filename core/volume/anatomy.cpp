@@ -31,9 +31,7 @@ bool isOblique(const Grid& grid) {
 char anatomicalLetter(int worldAxis, bool positive) { return (positive ? "LPS" : "RAI")[worldAxis]; }
 
 std::string anatomicalPlace(int worldAxis, double mm) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%c %.1f", anatomicalLetter(worldAxis, mm >= 0), std::abs(mm));
-  return text;
+  return printed("%c %.1f", anatomicalLetter(worldAxis, mm >= 0), std::abs(mm));
 }
 
 const char* anatomicalName(AnatomicalPlane plane) {

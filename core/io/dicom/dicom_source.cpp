@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "core/errors.h"
@@ -17,8 +16,6 @@
 
 namespace handlebody {
 namespace {
-
-namespace fs = std::filesystem;
 
 //! What was assumed because the files do not say it.
 struct Assumed {

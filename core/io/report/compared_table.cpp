@@ -16,6 +16,7 @@ std::string cell(const Json& value) {
 }
 
 std::string number(double value, const char* format = "%.4g") {
+  const DecimalPoint point;
   char text[40];
   std::snprintf(text, sizeof text, format, value);
   return text;

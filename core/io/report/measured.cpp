@@ -14,6 +14,7 @@ namespace handlebody {
 namespace {
 
 std::string measured(double value, const char* format = "%.5g") {
+  const DecimalPoint point;
   char text[40];
   std::snprintf(text, sizeof text, format, value);
   return text;

@@ -43,14 +43,11 @@ PolishReport polish(CertifiedMesh& made, const PolishOptions& options) {
 std::string polishText(const PolishReport& report) {
   const PolishCount &was = report.before, &is = report.after;
   if (was.faces == 0 && was.edges == 0) return {};
-  char text[300];
-  std::snprintf(text, sizeof text,
-                "polished: %d thin triangle%s and %d sharp edge%s, now %d and %d; least angle %.3g to %.3g "
+  return printed("polished: %d thin triangle%s and %d sharp edge%s, now %d and %d; least angle %.3g to %.3g "
                 "degrees, least dihedral angle %.3g to %.3g; %d faces changed, by up to %.3g mm",
                 was.faces, was.faces == 1 ? "" : "s", was.edges, was.edges == 1 ? "" : "s", is.faces,
                 is.edges, was.leastAngle, is.leastAngle, was.leastDihedral, is.leastDihedral,
                 report.changedFaces, report.farthest);
-  return text;
 }
 
 namespace {

@@ -97,7 +97,7 @@ struct FileKey {
   std::string path;
   std::vector<int> among;
   LabelShape shape;
-  auto operator<=>(const FileKey&) const = default;
+  auto operator<=>(const FileKey&) const = default;  // NOLINT(modernize-use-nullptr): the compiler's own 0
 };
 
 ReadStart readStart(const std::string& path, const std::string& sha256, TriangleSoup mesh) {

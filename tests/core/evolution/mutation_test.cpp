@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/collision/certify.h"
+#include "core/evolution/adaptation_rounds.h"
 #include "core/evolution/transaction.h"
 #include "tests/core/evolution/contour_support.h"
 #include "tests/core/surgery/adaptation_support.h"
@@ -256,6 +257,62 @@ TEST_CASE("what changes behind the back of the detection, and what is no surface
   expectCaught(joining(), FindingKind::enclosesNothing, [](Mesh& mesh, Attempt&) {
     mesh.setPosition(mesh.face(anyFace(mesh))[0], Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
   });
+}
+
+namespace {
+
+//! The first vertex that surgery has not marked. In joining() all were moved, and marked, before it.
+int unmarked(const Mesh& mesh, const VertexMarks& marks) {
+  int v = 0;
+  while (!mesh.isVertex(v) || marks[v] != 0) ++v;
+  return v;
+}
+
+AdaptationResult thenMoves(Mesh& mesh, std::span<const FacePair> pairs, const AdaptationSettings& settings,
+                           VertexMarks& touched) {
+  AdaptationResult result = adaptTopology(mesh, pairs, settings, touched);
+  const int v = unmarked(mesh, touched);
+  mesh.setPosition(v, mesh.position(v) * 1.01);
+  return result;
+}
+
+AdaptationResult thenFlips(Mesh& mesh, std::span<const FacePair> pairs, const AdaptationSettings& settings,
+                           VertexMarks& touched) {
+  AdaptationResult result = adaptTopology(mesh, pairs, settings, touched);
+  const auto isMarked = [&](int v) { return touched[v] != 0; };
+  int h = 0;
+  while (!mesh.isFace(Mesh::faceOf(h)) || !mesh.canFlip(h) || isMarked(mesh.origin(h)) ||
+         isMarked(mesh.target(h)) || isMarked(mesh.target(Mesh::next(h))) ||
+         isMarked(mesh.target(Mesh::next(mesh.opposite(h)))))
+    ++h;
+  mesh.flipEdge(h);
+  return result;
+}
+
+Attempt adaptBy(AdaptationRounds::Surgery surgery) {
+  const Scene s = joining();
+  Mesh mesh = s.start;
+  for (std::size_t v = 0; v < s.goal.size(); ++v) mesh.setPosition(static_cast<int>(v), s.goal[v]);
+  Attempt a;
+  a.touched.assign(mesh.vertexSlots(), 1);
+  CollisionDetector detector;
+  AdaptationSettings settings;
+  settings.topology = topologyNumbers(s.start);
+  AdaptationRounds(surgery).run(mesh, detector, settings, 0.3, a);
+  return a;
+}
+
+}  // namespace
+
+TEST_CASE("what surgery changes without a word is caught also where the step had moved it before") {
+  const Attempt whole = adaptBy(adaptTopology);
+  CHECK(whole.conflicts.empty());
+  CHECK_FALSE(whole.events.empty());
+  for (const AdaptationRounds::Surgery broken : {thenMoves, thenFlips}) {
+    const Attempt a = adaptBy(broken);
+    REQUIRE(a.conflicts.size() == 1);
+    CHECK(a.conflicts[0].reason.kind == FindingKind::unseenChange);
+  }
 }
 
 namespace {
