@@ -43,7 +43,9 @@ Attempt attemptOf(const Mesh& mesh, const MotionSettings& s, RingHeights& height
   // Mean curvature from the umbrella: a ring at distance h on a sphere of radius r lies h²/(2r) below its
   // middle.
   const double curvature = ring.meanSquare > 0 ? -2 * height / ring.meanSquare : 0.0;
-  const double force = s.balloon - s.curvature * edge * curvature;
+  // Not in proportion to longer edges, which would hold a front back that is as round as they allow: far from
+  // every boundary there is nothing to smooth but the front itself.
+  const double force = s.balloon - s.curvature * s.edgeLength * curvature;
   // On a curved boundary the flat faces lie inside of their corners. The image is asked where the faces lie
   // on the mean, a quarter of the ring's height below the vertex (mean sagitta of a triangle: e²/8r, of the
   // ring: e²/2r), so that surface and volume come out right, not the corners alone.

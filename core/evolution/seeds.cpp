@@ -137,7 +137,7 @@ Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength, const SizeField
   TriangleSoup all;
   for (const Seed& s : seeds) {
     const double round = kRound * *s.radius / edgeLength;
-    const double size = sizes ? std::clamp(round, 1.0, sizes->leastWithin(s.centre, *s.radius)) : 1;
+    const double size = sizes ? std::clamp(round, 1.0, sizes->leastOn(s.centre, *s.radius)) : 1;
     const TriangleSoup sphere = seedSphere(s, size * edgeLength);
     const int shift = static_cast<int>(all.points.size());
     all.points.insert(all.points.end(), sphere.points.begin(), sphere.points.end());

@@ -134,6 +134,24 @@ SizeField::SizeField(const ObjectImage& image, const std::vector<Vec3>& starts, 
     const double more = kGrade * (away - kNear);
     s = static_cast<float>(std::clamp(1 + more, 1.0, kLongest));
   }
+  for (const Vec3& start : starts) keepRound(start, edgeLength);
+}
+
+void SizeField::keepRound(const Vec3& start, double edgeLength) {
+  const Vec3 middle = grid_.toIndex(start);
+  Cell low, high;
+  for (int a = 0; a < 3; ++a) {
+    const double reach = kLongest / kRound * edgeLength / grid_.spacing[a];  // cells
+    low[a] = static_cast<int>(std::clamp(std::floor(middle[a] - reach), 0.0, grid_.size[a] - 1.0));
+    high[a] = static_cast<int>(std::clamp(std::ceil(middle[a] + reach), 0.0, grid_.size[a] - 1.0));
+  }
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      for (int i = low[0]; i <= high[0]; ++i) {
+        const double away = (grid_.toWorld(Vec3(i, j, k)) - start).norm() / edgeLength;
+        float& s = sizes_[(idx(k) * idx(grid_.size[1]) + idx(j)) * idx(grid_.size[0]) + idx(i)];
+        s = std::min(s, static_cast<float>(std::max(1.0, kRound * away)));
+      }
 }
 
 double SizeField::at(const Vec3& world) const {
@@ -157,8 +175,8 @@ double SizeField::at(const Vec3& world) const {
   return along(low, high, t[2]);
 }
 
-double SizeField::leastWithin(const Vec3& centre, double radius) const {
-  double least = at(centre);
+double SizeField::leastOn(const Vec3& centre, double radius) const {
+  double least = kLongest;
   for (const double x : {-1.0, 0.0, 1.0})
     for (const double y : {-1.0, 0.0, 1.0})
       for (const double z : {-1.0, 0.0, 1.0})

@@ -44,8 +44,11 @@ TEST_CASE("edges may be longer only where no boundary is near, and change slowly
   const Volume volume = wideVolume(piercedBall);
   const ObjectImage image(std::make_shared<SmoothedVolume>(volume, 0), {-1e300, 110}, 90);
   constexpr double kEdge = 2;
-  const SizeField sizes(image, {kCentre}, kEdge);
+  const Vec3 start = kCentre - Vec3(0, 18, 0);
+  const SizeField sizes(image, {start}, kEdge);
   CHECK(sizes.at(kCentre - Vec3(6, 0, 0)) == Approx(SizeField::kLongest));
+  for (const double away : {0., 1., 4., 8.})  // trilinear between cells of an edge length: a quarter of one
+    CHECK(sizes.at(start + Vec3(0, away, 0)) <= std::max(1.0, SizeField::kRound * (away / kEdge + 0.25)));
   CHECK(sizes.at(kCentre - Vec3(kRadius - 1, 0, 0)) == 1);
   CHECK(sizes.at(kCentre + Vec3(8.5, 0, 0)) == 1);  // beside the needle
   CHECK(sizes.at(kCentre + Vec3(100, 0, 0)) == 1);
@@ -58,7 +61,7 @@ TEST_CASE("edges may be longer only where no boundary is near, and change slowly
     const double size = sizes.at(p);
     if (size > 1) REQUIRE(piercedBall(p) < -0.3 * size * kEdge);  // more than a step
     longer += size > 1;
-    REQUIRE(std::abs(size - sizes.at(q)) <= 1.2 * SizeField::kGrade * (p - q).norm() / kEdge + 1e-6);
+    REQUIRE(std::abs(size - sizes.at(q)) <= 1.2 * SizeField::kRound * (p - q).norm() / kEdge + 1e-6);
   }
   CHECK(longer > 1000);
 }
@@ -110,6 +113,24 @@ TEST_CASE("a small seed in a wide inside grows") {
   ActiveContour contour(volume, {{kCentre, 0.5}}, with(Resolution::adaptive));
   while (contour.stopReason() == StopReason::running) contour.step();
   CHECK(meanDistance(contour.mesh(), wideBall) < 0.2);
+}
+
+TEST_CASE(
+    "a seed in a wide inside keeps its volume, and grows as a uniform one does also where curvature counts") {
+  const Volume volume = wideVolume(wideBall);
+  for (const double curvature : {0.2, 1.0, 2.0}) {
+    Parameters p = with(Resolution::adaptive);
+    p.curvature = curvature;
+    ActiveContour contour(volume, {{kCentre, std::nullopt}}, p);
+    double last =
+        0.99 * signedVolume(contour.mesh());  // the faces of a sphere lie within it, longer ones more
+    while (contour.stopReason() == StopReason::running) {
+      const double now = contour.step().volume;
+      REQUIRE(now > 0.99 * last);
+      last = now;
+    }
+    CHECK(last == Approx(4. / 3 * 3.14159265 * kRadius * kRadius * kRadius).epsilon(0.03));
+  }
 }
 
 TEST_CASE("walls and pins that come on the way make the surface fine again, and hold") {
