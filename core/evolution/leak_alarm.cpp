@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 #include "core/evolution/passage_disc.h"
 #include "core/indices.h"
@@ -85,7 +86,6 @@ void LeakAlarm::forget() {
 }
 
 bool LeakAlarm::isCovered(const Mesh& mesh, std::span<const int> vertices) const {
-  if (!map_) return false;
   Vec3 low, high;
   for (int a = 0; a < 3; ++a) {
     low[a] = box_.low[a] == 0 ? -1e300 : box_.low[a] + kNear;
@@ -99,7 +99,6 @@ bool LeakAlarm::isCovered(const Mesh& mesh, std::span<const int> vertices) const
   });
 }
 
-//! Where the surface is already is no leak.
 void LeakAlarm::chart(const Mesh& mesh, const Scene& scene) {
   grid_ = scene.image.volume().grid();
   box_ = boxAround(grid_, mesh);
@@ -111,7 +110,42 @@ void LeakAlarm::chart(const Mesh& mesh, const Scene& scene) {
     charts_->add(box_, std::move(starts), map_);
   }
   entered_.assign(map_->passages().size(), false);
-  enteredBy(mesh, allVertices(mesh));
+}
+
+//! Where the surface is already is no leak.
+void LeakAlarm::begin(const Mesh& mesh, const Scene& scene) {
+  chart(mesh, scene);
+  const std::vector<int> all = allVertices(mesh);
+  enteredBy(mesh, all);
+  std::vector<Vec3> places;
+  for (const int v : all) places.push_back(mesh.position(v));
+  first_ = std::make_shared<const std::vector<Vec3>>(std::move(places));
+  told_.clear();
+}
+
+//! What the narrower box did not show to be a passage may lie behind the surface: it is told now. The spaces
+//! of those that were told are starts, so that other parts of them may look as if they lay behind a passage.
+std::vector<LeakAlarm::Entry> LeakAlarm::widen(const Mesh& mesh, const Scene& scene) {
+  const std::shared_ptr<const PassageMap> before = map_;
+  const std::vector<bool> entered = entered_;
+  chart(mesh, scene);
+  const std::vector<Passage>& passages = map_->passages();
+  for (std::size_t k = 0; k < passages.size(); ++k)
+    if (const int old = before->behindWhich(passages[k].widest); old >= 0 && entered[old]) setEntered(k);
+  for (const std::vector<Vec3>* places : {first_.get(), &std::as_const(told_)})
+    for (const Vec3& place : *places)
+      if (const int k = map_->behindWhich(place); k >= 0) setEntered(idx(k));
+  std::vector<Entry> fresh = enteredBy(mesh, allVertices(mesh));
+  // What finer cells have seen is not to be told for the rounding of coarser ones.
+  if (map_->cellSize() > before->cellSize())
+    std::erase_if(fresh, [&](const Entry& e) { return !map_->isSure(passages[e.passage]); });
+  return fresh;
+}
+
+void LeakAlarm::setEntered(std::size_t passage) {
+  if (entered_[passage]) return;
+  entered_[passage] = true;
+  known_.push_back(map_->passages()[passage].widest);
 }
 
 std::vector<LeakAlarm::Entry> LeakAlarm::enteredBy(const Mesh& mesh, std::span<const int> vertices) {
@@ -121,17 +155,23 @@ std::vector<LeakAlarm::Entry> LeakAlarm::enteredBy(const Mesh& mesh, std::span<c
     if (!mesh.isVertex(v)) continue;
     const int passage = map_->behindWhich(mesh.position(v));
     if (passage < 0 || entered_[passage]) continue;
-    entered_[passage] = true;
+    setEntered(idx(passage));
+    told_.push_back(mesh.position(v));
     fresh.push_back({idx(passage), v});
   }
-  for (const Entry& e : fresh) known_.push_back(map_->passages()[e.passage].widest);
   return fresh;
 }
 
 std::vector<Leak> LeakAlarm::look(const Mesh& mesh, std::span<const int> moving, const Scene& scene) {
+  std::vector<Entry> entries;
+  if (!map_)
+    begin(mesh, scene);
+  else if (!isCovered(mesh, moving))
+    entries = widen(mesh, scene);
+  const std::vector<Entry> moved = enteredBy(mesh, moving);
+  entries.insert(entries.end(), moved.begin(), moved.end());
   std::vector<Leak> leaks;
-  if (!isCovered(mesh, moving)) chart(mesh, scene);
-  for (const Entry& entry : enteredBy(mesh, moving)) {
+  for (const Entry& entry : entries) {
     Leak leak{scene.iteration, map_->passages()[entry.passage], {}, {}};
     // The narrowest place of a space that widens may lie anywhere in it; what has widened begins here.
     if (!leak.passage.isSeen || leak.passage.isWidening) leak.passage.place = mesh.position(entry.vertex);

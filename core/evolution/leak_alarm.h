@@ -30,7 +30,8 @@ inline std::string sentence(const Leak& leak) { return sentence(findingOf(leak))
 
 //! Looks at the surface once per iteration. Passages are found in the image (passages.h), in a box around the
 //! surface that is widened as it grows, so that a volume that is not reached costs nothing. A passage is told
-//! once; one that the surface lies behind already when it is found (a click there, other parameters) is none.
+//! once: also if the surface lies behind it already when the wider box shows it, but not if it did at the
+//! first look (a click there, other parameters).
 class LeakAlarm {
  public:
   LeakAlarm();
@@ -51,20 +52,25 @@ class LeakAlarm {
   const PassageMap* map() const { return map_.get(); }
 
  private:
-  bool isCovered(const Mesh& mesh, std::span<const int> vertices) const;
-  void chart(const Mesh& mesh, const Scene& scene);
   struct Charts;
   struct Entry {
     std::size_t passage;
     int vertex;  // the first that lies behind it
   };
+  bool isCovered(const Mesh& mesh, std::span<const int> vertices) const;
+  void chart(const Mesh& mesh, const Scene& scene);
+  std::vector<Entry> widen(const Mesh& mesh, const Scene& scene);
+  void begin(const Mesh& mesh, const Scene& scene);
+  void setEntered(std::size_t passage);
   std::vector<Entry> enteredBy(const Mesh& mesh, std::span<const int> vertices);
 
   Grid grid_;
   VoxelBox box_;  // of the map
   std::shared_ptr<const PassageMap> map_;
-  std::vector<bool> entered_;  // per passage of the map
-  std::vector<Vec3> known_;    // mm: spaces that the surface has come into
+  std::vector<bool> entered_;                       // per passage of the map
+  std::vector<Vec3> known_;                         // mm: spaces that the surface has come into
+  std::vector<Vec3> told_;                          // mm: where it lay when that was told
+  std::shared_ptr<const std::vector<Vec3>> first_;  // mm: where its vertices lay at the first look
   //! Of the present image, walls and seeds, shared by all copies: steps that are made again need no new map.
   std::shared_ptr<Charts> charts_;
 };

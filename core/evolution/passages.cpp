@@ -92,6 +92,12 @@ PassageMap::PassageMap(const ObjectImage& image, const Walls* walls, const Voxel
   }
 }
 
+bool PassageMap::isSure(const Passage& p) const {
+  const double widening = NarrowRule().widening;
+  return p.isWidening ? p.behind >= widening * (p.before + cell_)
+                      : p.radius + cell_ <= kNarrow * std::min(p.before, p.behind);
+}
+
 void PassageMap::layOut(const VoxelBox& box) {
   low_ = box.low;
   for (step_ = 1;; ++step_) {

@@ -52,6 +52,9 @@ class PassageMap {
     return cell < 0 ? -1 : zones_[cell] - 1;
   }
   const std::vector<Passage>& passages() const { return passages_; }
+  double cellSize() const { return cell_; }  //!< mm
+  //! True if it would be told were it, or what lies before it if it widens, a cell wider.
+  bool isSure(const Passage& passage) const;
 
   static constexpr std::size_t kMaxCells = 4'000'000;
 

@@ -1,8 +1,13 @@
 // The leak alarm: passages that a surface comes through.
 #include "core/evolution/leak_alarm.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "core/evolution/history.h"
 #include "core/evolution/space_tree.h"
+#include "core/indices.h"
+#include "core/mesh/shapes.h"
 #include "tests/core/evolution/contour_support.h"
 
 using namespace handlebody;
@@ -209,4 +214,69 @@ TEST_CASE("copies of an alarm share what they found in the image, until it is an
   other.forget();
   other.look(contour.mesh(), {}, scene);
   CHECK(other.map() != first.map());
+}
+
+namespace {
+
+//! Voxels of 1 mm, too many to be looked at as a whole: balls of 18 and 28 mm with a tube of 3.2 mm between
+//! them, from 78 to 82 mm along x.
+const Vec3 kNearBall(60, 55, 55), kFarBall(110, 55, 55);
+const ObjectImage& twoBalls() {
+  static const ObjectImage image = [] {
+    Grid grid;
+    grid.size = {170, 110, 110};
+    const Volume volume = volumeByIndex(grid, [](int i, int j, int k) {
+      const Vec3 p(i, j, k);
+      const bool isTube = i >= 60 && i <= 110 && std::hypot(j - 55, k - 55) < 3.2;
+      return (p - kNearBall).norm() < 18 || (p - kFarBall).norm() < 28 || isTube ? 20 : 200;
+    });
+    return ObjectImage(std::make_shared<SmoothedVolume>(volume, 0), IntensityRange{-1e9, 100}, 20);
+  }();
+  return image;
+}
+
+//! A small ball at x in the first ball, with a tip that reaches through the tube.
+Mesh ballWithTip(double x, double tip) {
+  TriangleSoup ball = icosphere(Vec3(x, 55, 55), 4, 3);
+  std::max_element(ball.points.begin(), ball.points.end(), [](const Vec3& a, const Vec3& b) {
+    return a.x() < b.x();
+  })->x() = tip;
+  return Mesh(ball);
+}
+
+//! The tips at which a surface is told that grows from there by 1 mm a step.
+std::vector<double> toldTips(LeakAlarm& alarm, double x, double from, double to) {
+  std::vector<double> told;
+  const std::vector<Vec3> seeds{kNearBall};
+  for (double tip = from; tip < to; ++tip) {
+    const Mesh mesh = ballWithTip(x, tip);
+    std::vector<int> all(idx(mesh.vertexSlots()));
+    std::iota(all.begin(), all.end(), 0);
+    for (std::size_t n = alarm.look(mesh, all, {twoBalls(), nullptr, seeds, 1}).size(); n > 0; --n)
+      told.push_back(tip);
+  }
+  return told;
+}
+
+}  // namespace
+
+TEST_CASE("a leak is told once wherever the box around the surface ends, before or behind the passage",
+          "[leaks]") {
+  for (double x = 50; x <= 70; ++x) {  // the first box ends 28 mm further
+    INFO("from " << x);
+    LeakAlarm alarm;
+    const std::vector<double> tips = toldTips(alarm, x, x + 5, 135);
+    REQUIRE(tips.size() == 1);
+    CHECK(tips[0] > 79);
+    CHECK(tips[0] < 92);
+  }
+}
+
+TEST_CASE("where the surface lies at the first look is no leak when the box is widened", "[leaks]") {
+  LeakAlarm alarm;
+  CHECK(toldTips(alarm, 60, 87, 135).empty());
+  LeakAlarm forgetful;
+  CHECK(toldTips(forgetful, 60, 65, 90).size() == 1);
+  forgetful.forget();
+  CHECK(toldTips(forgetful, 60, 90, 135).empty());
 }
