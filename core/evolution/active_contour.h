@@ -59,7 +59,7 @@ class ActiveContour {
   //! pinned neither moves nor goes; a surface that would have to begin anew may not be pinned (UsageError). A
   //! pin of this iteration holds from here on.
   void change(const Request& request);
-  //! The same with what `prepared` was made from, whose image is taken over instead of being chosen again.
+  //! The same with what `prepared` was made from, whose image is taken over where it would be chosen again.
   //! Precondition: it was made for the same volume.
   void change(const ActiveContour& prepared);
   //! The clicks and the constraints stay.

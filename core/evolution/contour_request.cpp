@@ -219,7 +219,7 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   const Parameters before = asked.parameters;
   const bool otherWalls = to.constraints.walls != known;
   const bool otherClicks = to.seeds != asked.seeds;
-  const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, before);
+  const bool otherImage = otherClicks || !chooseSameImage(to.parameters, before);
   const bool freed = locked.held.choose(to.constraints, iteration);
   const bool unpinned = locked.pins.choose(to.constraints.pins, iteration);
   takePins();
@@ -227,10 +227,9 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   const bool activates = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, before);
   const bool staysConverged = otherClicks && haveSameForces(to.parameters, before);
   asked = to;
-  if (prepared)
-    object = prepared->object;
-  else if (otherImage)
-    object = objectOf(volume, asked.seeds, to.parameters, asked.constraints.start, nullptr);
+  if (otherImage)
+    object = prepared ? prepared->object
+                      : objectOf(volume, asked.seeds, to.parameters, asked.constraints.start, nullptr);
   if (otherImage && !otherClicks) chooseEdge();
   const double edge = parameters.edgeLength;
   resolve();

@@ -197,6 +197,37 @@ TEST_CASE("a prepared image leads to the same mesh as one that is chosen anew", 
   CHECK(isSame(straightRun(taken).back(), straightRun(chosen).back()));
 }
 
+TEST_CASE("a change that leaves the image is the same with a prepared contour, also after a click on the way",
+          "[history]") {
+  // A thin tube, from which the edge length comes, and a wide one, where a click is put later.
+  Grid grid;
+  grid.size = {90, 36, 36};
+  const Volume volume = darkObject(grid, [](const Vec3& p) {
+    const double radius = std::clamp(2.2 + 0.6 * (p.x() - 40), 2.2, 8.2);
+    return std::max(std::hypot(p.y() - 18, p.z() - 18) - radius, std::abs(p.x() - 45) - 37);
+  });
+  const std::vector<Seed> first{{Vec3(18, 18, 18)}}, both{first[0], {Vec3(70, 18, 18)}};
+  Parameters p;
+  p.range = IntensityRange{-1e9, 110};
+  ActiveContour contour(volume, first, p);
+  for (int i = 0; i < 8; ++i) contour.step();
+  contour.change({both, p, {}});
+  for (int i = 0; i < 4; ++i) contour.step();
+  REQUIRE_FALSE(contour.correction()->beganAnew);
+  Parameters curved = p, longer = p;
+  curved.curvature = 0.3;
+  longer.maxIterations = 2000;
+  for (const Parameters& other : {curved, longer}) {
+    const ActiveContour prepared(volume, both, other);
+    REQUIRE(prepared.parameters().edgeLength != contour.parameters().edgeLength);
+    ActiveContour chosen = contour, taken = contour;
+    chosen.changeParameters(other);
+    taken.change(prepared);
+    CHECK(taken.parameters().edgeLength == chosen.parameters().edgeLength);
+    CHECK(isSame(straightRun(taken).back(), straightRun(chosen).back()));
+  }
+}
+
 TEST_CASE("a contour begun again with other parameters is as a new one", "[history]") {
   ActiveContour contour = torusContour();
   for (int i = 0; i < 10; ++i) contour.step();
