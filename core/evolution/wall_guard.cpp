@@ -36,18 +36,17 @@ void WallGuard::putUp(const Mesh& mesh, const WallList& known, bool mayPush) {
   if (!isTouched && fresh.empty()) return;
   const Walls judged(isTouched ? all_->list() : fresh, all_->grid(), edgeLength_, largestStep_);
   const Occupied occupied = findOccupied(mesh, judged);
-  const auto refuse = [&](const WallList& wall, FindingKind why) {
-    throw Told<UsageError>(Finding(why, {{"place", placeValue(placeOf(wall, all_->grid()))}}));
+  const WallList& touched = occupied.touched;
+  const auto refuse = [](const Vec3& place, FindingKind why) {
+    throw Told<UsageError>(Finding(why, {{"place", placeValue(place)}}));
   };
-  for (const WallList& wall : occupied.touched)
-    for (const WallObject& object : wall.objects)
-      throw Told<UsageError>(Finding(FindingKind::objectOver, {{"object", object.name}}));
-  if (!occupied.enclosed.empty() && !without(occupied.enclosed[0], known).empty())
-    refuse(occupied.enclosed[0], FindingKind::wallWithin);
-  for (const WallList& wall : occupied.touched)
-    if (!wall.discs.empty()) refuse(wall, FindingKind::wallAcross);
-  if (!occupied.touched.empty() && !mayPush) refuse(occupied.touched[0], FindingKind::wallOver);
-  setPushing(together(occupied.touched));
+  if (!touched.objects.empty())
+    throw Told<UsageError>(Finding(FindingKind::objectOver, {{"object", touched.objects[0].name}}));
+  if (const auto place = placeOfFresh(occupied.enclosed, known, all_->grid()))
+    refuse(*place, FindingKind::wallWithin);
+  if (!touched.discs.empty()) refuse(touched.discs[0].centre, FindingKind::wallAcross);
+  if (!touched.empty() && !mayPush) refuse(placeOf(touched, all_->grid()), FindingKind::wallOver);
+  setPushing(touched);
 }
 
 void WallGuard::setPushing(const WallList& pushing) {
@@ -134,15 +133,14 @@ std::optional<Vec3> WallGuard::brokenAnywhere(const Mesh& mesh) const {
   if (!holding_) return std::nullopt;
   const Occupied occupied = findOccupied(mesh, *holding_);
   for (const auto* walls : {&occupied.touched, &occupied.enclosed})
-    if (!walls->empty()) return placeOf(walls->front(), holding_->grid());
+    if (!walls->empty()) return placeOf(*walls, holding_->grid());
   return std::nullopt;
 }
 
 void WallGuard::release(const Mesh& mesh) {
   if (!pushing_) return;
-  std::vector<WallList> left;
-  if (touchesAny(mesh, *pushing_)) left = findOccupied(mesh, *pushing_).touched;
-  const WallList still = together(left);
+  WallList still;
+  if (touchesAny(mesh, *pushing_)) still = findOccupied(mesh, *pushing_).touched;
   if (!(still == pushing_->list())) setPushing(still);
 }
 

@@ -1,7 +1,10 @@
 #include "core/evolution/wall_pieces.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/topology.h"
 
@@ -41,12 +44,6 @@ Voxels takePiece(std::vector<bool>& left, const Grid& grid, std::size_t i) {
   return piece;
 }
 
-WallList ofVoxels(const WallMap& map, const Voxels& voxels) {
-  std::vector<bool> flags(map.voxels->size(), false);
-  for (const std::size_t i : voxels) flags[i] = true;
-  return {{}, WallMap{map.path, {}, std::make_shared<const std::vector<bool>>(std::move(flags))}};
-}
-
 Vec3 centreOf(const Grid& grid, std::size_t voxel) {
   const auto v = voxelAt(grid, voxel);
   return grid.toWorld(Vec3(v[0], v[1], v[2]));
@@ -64,41 +61,30 @@ Walls::Touched touched(const Mesh& mesh, const Walls& walls, bool one) {
   return which;
 }
 
-//! Whether points lie in what a mesh encloses.
-class Inside {
- public:
-  explicit Inside(const Mesh& mesh) : mesh_(mesh), parts_(findComponents(mesh)) {
-    for (int v = 0; v < mesh.vertexSlots(); ++v) {
-      if (!mesh.isVertex(v)) continue;
-      low_ = low_.cwiseMin(mesh.position(v));
-      high_ = high_.cwiseMax(mesh.position(v));
-    }
+//! Which of the places lie in what a mesh encloses.
+std::vector<bool> areInside(const Mesh& mesh, const std::vector<Vec3>& places) {
+  Vec3 low = Vec3::Constant(1e300), high = -low;
+  for (int v = 0; v < mesh.vertexSlots(); ++v) {
+    if (!mesh.isVertex(v)) continue;
+    low = low.cwiseMin(mesh.position(v));
+    high = high.cwiseMax(mesh.position(v));
   }
-  bool operator()(const Vec3& p) const {
-    const bool inBox = (p.array() >= low_.array()).all() && (p.array() <= high_.array()).all();
-    return inBox && windingNumber(mesh_, parts_, kNone, p) > 0;
+  std::vector<std::size_t> inBox;
+  std::vector<Vec3> asked;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vec3& p = places[i];
+    if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) continue;
+    inBox.push_back(i);
+    asked.push_back(p);
   }
-
- private:
-  static constexpr int kNone = -2;  // no component is left out
-  const Mesh& mesh_;
-  Components parts_;
-  Vec3 low_ = Vec3::Constant(1e300), high_ = Vec3::Constant(-1e300);
-};
+  std::vector<bool> inside(places.size(), false);
+  if (asked.empty()) return inside;
+  const std::vector<int> windings = windingNumbers(mesh, findComponents(mesh), asked);
+  for (std::size_t i = 0; i < asked.size(); ++i) inside[inBox[i]] = windings[i] > 0;
+  return inside;
+}
 
 }  // namespace
-
-std::vector<WallList> piecesOf(const WallList& walls, const Grid& grid) {
-  std::vector<WallList> out;
-  for (const WallBall& w : walls.balls) out.push_back({{w}, {}});
-  for (const WallDisc& d : walls.discs) out.push_back({{}, {}, {}, {d}});
-  for (const WallObject& o : walls.objects) out.push_back({{}, {}, {o}});
-  if (!walls.map) return out;
-  std::vector<bool> left = *walls.map->voxels;
-  for (std::size_t i = 0; i < left.size(); ++i)
-    if (left[i]) out.push_back(ofVoxels(*walls.map, takePiece(left, grid, i)));
-  return out;
-}
 
 WallList without(const WallList& walls, const WallList& known) {
   WallList out;
@@ -120,22 +106,6 @@ WallList without(const WallList& walls, const WallList& known) {
   return out;
 }
 
-WallList together(const std::vector<WallList>& pieces) {
-  WallList all;
-  std::vector<bool> flags;
-  for (const WallList& piece : pieces) {
-    all.balls.insert(all.balls.end(), piece.balls.begin(), piece.balls.end());
-    all.discs.insert(all.discs.end(), piece.discs.begin(), piece.discs.end());
-    all.objects.insert(all.objects.end(), piece.objects.begin(), piece.objects.end());
-    if (!piece.map) continue;
-    flags.resize(piece.map->voxels->size(), false);
-    for (std::size_t i = 0; i < flags.size(); ++i) flags[i] = flags[i] || (*piece.map->voxels)[i];
-    all.map = piece.map;
-  }
-  if (all.map) all.map->voxels = std::make_shared<const std::vector<bool>>(std::move(flags));
-  return all;
-}
-
 Vec3 placeOf(const WallList& walls, const Grid& grid) {
   if (!walls.balls.empty()) return walls.balls[0].centre;
   if (!walls.discs.empty()) return walls.discs[0].centre;
@@ -145,6 +115,21 @@ Vec3 placeOf(const WallList& walls, const Grid& grid) {
                   static_cast<std::size_t>(std::find(flags.begin(), flags.end(), true) - flags.begin()));
 }
 
+std::optional<Vec3> placeOfFresh(const WallList& walls, const WallList& known, const Grid& grid) {
+  WallList fresh = without(walls, known);
+  if (fresh.empty()) return std::nullopt;
+  const std::optional<WallMap> map = std::exchange(fresh.map, std::nullopt);
+  if (!fresh.empty()) return placeOf(fresh, grid);
+  std::vector<bool> left = *walls.map->voxels;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (!left[i]) continue;
+    const Voxels piece = takePiece(left, grid, i);
+    if (std::any_of(piece.begin(), piece.end(), [&](std::size_t v) { return (*map->voxels)[v]; }))
+      return centreOf(grid, i);
+  }
+  return std::nullopt;
+}
+
 bool touchesAny(const Mesh& mesh, const Walls& walls) {
   const Walls::Touched which = touched(mesh, walls, true);
   return !which.balls.empty() || !which.voxels.empty() || !which.objects.empty() || !which.discs.empty();
@@ -152,8 +137,8 @@ bool touchesAny(const Mesh& mesh, const Walls& walls) {
 
 bool enclosesAny(const Mesh& mesh, const std::vector<Vec3>& places) {
   if (places.empty()) return false;
-  const Inside inside(mesh);
-  return std::any_of(places.begin(), places.end(), inside);
+  const std::vector<bool> inside = areInside(mesh, places);
+  return std::find(inside.begin(), inside.end(), true) != inside.end();
 }
 
 bool enclosesAny(const Mesh& mesh, const Walls& walls, const Vec3& place, double within) {
@@ -162,51 +147,79 @@ bool enclosesAny(const Mesh& mesh, const Walls& walls, const Vec3& place, double
 
 namespace {
 
-//! An object whose surface the mesh does not meet lies in it as any part of its surface does.
-void findObjects(const Walls& walls, const Walls::Touched& which, const Inside& inside, Occupied& out) {
-  for (std::size_t i = 0; i < walls.list().objects.size(); ++i) {
-    const int object = static_cast<int>(i);
-    const auto isTouched =
-        std::find(which.objects.begin(), which.objects.end(), object) != which.objects.end();
-    const auto& parts = walls.objects()->parts();
-    const bool isEnclosed = std::any_of(parts.begin(), parts.end(), [&](const WallSurface::Part& part) {
-      return part.object == object && inside(part.place);
-    });
-    if (isTouched || isEnclosed)
-      (isTouched ? out.touched : out.enclosed).push_back({{}, {}, {walls.list().objects[i]}});
+//! `placesOf`: of the wall with that index, which the mesh does not touch; it is enclosed if one of them is.
+template <typename Wall, typename PlacesOf>
+void sortOut(const Mesh& mesh, const std::vector<Wall>& all, const std::vector<int>& touched,
+             PlacesOf&& placesOf, std::vector<Wall>& outTouched, std::vector<Wall>& outEnclosed) {
+  std::vector<bool> isTouched(all.size(), false), isEnclosed(all.size(), false);
+  for (const int i : touched) isTouched[i] = true;
+  std::vector<Vec3> places;
+  std::vector<std::size_t> owners;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (isTouched[i]) continue;
+    for (const Vec3& place : placesOf(i)) places.push_back(place);
+    owners.resize(places.size(), i);
   }
+  const std::vector<bool> inside = areInside(mesh, places);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (inside[k]) isEnclosed[owners[k]] = true;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (isTouched[i] || isEnclosed[i]) (isTouched[i] ? outTouched : outEnclosed).push_back(all[i]);
+}
+
+//! The pieces that hold one of the voxels in `starts`.
+std::optional<WallMap> piecesAt(const WallMap& map, const Grid& grid,
+                                const std::vector<std::size_t>& starts) {
+  if (starts.empty()) return std::nullopt;
+  std::vector<bool> left = *map.voxels, flags(left.size(), false);
+  for (const std::size_t i : starts) {
+    if (!left[i]) continue;
+    for (const std::size_t v : takePiece(left, grid, i)) flags[v] = true;
+  }
+  return WallMap{map.path, {}, std::make_shared<const std::vector<bool>>(std::move(flags)), {}};
+}
+
+//! Of a piece only a voxel is kept: there may be very many.
+void sortOutVoxels(const Mesh& mesh, const WallMap& map, const Grid& grid,
+                   const std::vector<std::size_t>& touched, Occupied& out) {
+  std::vector<bool> left = *map.voxels;
+  for (const std::size_t i : touched)
+    if (left[i]) takePiece(left, grid, i);
+  std::vector<std::size_t> starts, enclosed;
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (!left[i]) continue;
+    takePiece(left, grid, i);
+    starts.push_back(i);
+    places.push_back(centreOf(grid, i));
+  }
+  const std::vector<bool> inside = areInside(mesh, places);
+  for (std::size_t k = 0; k < starts.size(); ++k)
+    if (inside[k]) enclosed.push_back(starts[k]);
+  out.touched.map = piecesAt(map, grid, touched);
+  out.enclosed.map = piecesAt(map, grid, enclosed);
 }
 
 }  // namespace
 
 Occupied findOccupied(const Mesh& mesh, const Walls& walls) {
   const Walls::Touched which = touched(mesh, walls, false);
-  const Inside inside(mesh);
+  const WallList& list = walls.list();
   Occupied out;
-  for (std::size_t i = 0; i < walls.list().balls.size(); ++i) {
-    const WallBall& w = walls.list().balls[i];
-    const bool isTouched =
-        std::find(which.balls.begin(), which.balls.end(), static_cast<int>(i)) != which.balls.end();
-    if (isTouched || inside(w.centre)) (isTouched ? out.touched : out.enclosed).push_back({{w}, {}});
-  }
-  for (std::size_t i = 0; i < walls.list().discs.size(); ++i) {
-    const WallDisc& d = walls.list().discs[i];
-    const bool isTouched =
-        std::find(which.discs.begin(), which.discs.end(), static_cast<int>(i)) != which.discs.end();
-    if (isTouched || inside(d.centre)) (isTouched ? out.touched : out.enclosed).push_back({{}, {}, {}, {d}});
-  }
-  findObjects(walls, which, inside, out);
-  if (!walls.list().map) return out;
-  const WallMap& map = *walls.list().map;
-  std::vector<bool> hit(map.voxels->size(), false), left = *map.voxels;
-  for (const std::size_t i : which.voxels) hit[i] = true;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    if (!left[i]) continue;
-    const Voxels piece = takePiece(left, walls.grid(), i);
-    const bool isTouched = std::any_of(piece.begin(), piece.end(), [&](std::size_t v) { return hit[v]; });
-    if (isTouched || inside(centreOf(walls.grid(), i)))
-      (isTouched ? out.touched : out.enclosed).push_back(ofVoxels(map, piece));
-  }
+  const auto atCentre = [](const auto& all) {
+    return [&all](std::size_t i) { return std::array<Vec3, 1>{all[i].centre}; };
+  };
+  // An object whose surface the mesh does not meet lies in it as any part of its surface does.
+  const auto partsOf = [&](std::size_t object) {
+    std::vector<Vec3> places;
+    for (const WallSurface::Part& part : walls.objects()->parts())
+      if (idx(part.object) == object) places.push_back(part.place);
+    return places;
+  };
+  sortOut(mesh, list.balls, which.balls, atCentre(list.balls), out.touched.balls, out.enclosed.balls);
+  sortOut(mesh, list.discs, which.discs, atCentre(list.discs), out.touched.discs, out.enclosed.discs);
+  sortOut(mesh, list.objects, which.objects, partsOf, out.touched.objects, out.enclosed.objects);
+  if (list.map) sortOutVoxels(mesh, *list.map, walls.grid(), which.voxels, out);
   return out;
 }
 

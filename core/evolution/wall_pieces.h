@@ -1,27 +1,26 @@
 #pragma once
 // Walls piece by piece: which of them a surface lies in.
 
+#include <optional>
+
 #include "core/evolution/walls.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
 
-//! A ball each, a disc each, an object each, and the voxels of the map that hang together (by faces, edges or
-//! corners).
-std::vector<WallList> piecesOf(const WallList& walls, const Grid& grid);
-
 //! Those of the walls that are no pieces of `known`: balls, discs, objects, and the map if it is another.
 WallList without(const WallList& walls, const WallList& known);
-
-//! The pieces together.
-WallList together(const std::vector<WallList>& pieces);
 
 //! A point in the first wall: mm.
 Vec3 placeOf(const WallList& walls, const Grid& grid);
 
-//! The pieces of walls that touch the mesh, and those that lie wholly in what it encloses.
+//! The same of the first piece that is not wholly `known`; none if all are.
+std::optional<Vec3> placeOfFresh(const WallList& walls, const WallList& known, const Grid& grid);
+
+//! The pieces of walls that touch the mesh, and those that lie wholly in what it encloses. A piece is a ball,
+//! a disc, an object, or voxels of the map that hang together (by faces, edges or corners).
 struct Occupied {
-  std::vector<WallList> touched, enclosed;
+  WallList touched, enclosed;
 };
 Occupied findOccupied(const Mesh& mesh, const Walls& walls);
 

@@ -15,6 +15,7 @@ struct Query {
   Vec3 place;
   int without = -1;
   int winding = 0;
+  std::size_t number = 0;
 };
 
 //! How often the triangle winds around p in the projection along x: 1 or -1 if it covers p, else 0. An edge
@@ -99,6 +100,15 @@ int windingNumber(const Mesh& mesh, const Components& parts, int component, cons
   std::vector<Query> one{{p, component, 0}};
   wind(labelled(mesh, parts), one);
   return one[0].winding;
+}
+
+std::vector<int> windingNumbers(const Mesh& mesh, const Components& parts, std::span<const Vec3> places) {
+  std::vector<Query> queries;
+  for (const Vec3& place : places) queries.push_back({place, -1, 0, queries.size()});
+  wind(labelled(mesh, parts), queries);
+  std::vector<int> out(places.size());
+  for (const Query& q : queries) out[q.number] = q.winding;
+  return out;
 }
 
 bool isMisplaced(const Mesh& mesh, const Components& parts, int component) {

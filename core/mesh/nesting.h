@@ -27,6 +27,9 @@ int crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
 //! cavities (signed crossings of a ray with the faces, exact). p must not lie on the surface.
 int windingNumber(const Mesh& mesh, const Components& parts, int component, const Vec3& p);
 
+//! The same at many places, without leaving a component out, in one look at every face.
+std::vector<int> windingNumbers(const Mesh& mesh, const Components& parts, std::span<const Vec3> places);
+
 //! True if the body holds p: it lies in no cavity. p must not lie on the surface.
 inline bool encloses(const Mesh& mesh, const Components& parts, const Vec3& p) {
   constexpr int kNone = -1;  // no component is left out

@@ -1,7 +1,5 @@
 #include "ui/model/wall_look.h"
 
-#include <algorithm>
-
 #include "core/evolution/wall_pieces.h"
 
 namespace handlebody::ui {
@@ -11,9 +9,7 @@ namespace {
 std::optional<WallConflict> conflictOf(const WallQuestion& question, const Grid& grid, double edge) {
   const Occupied occupied = findOccupied(Mesh(question.shown->mesh), Walls(question.fresh, grid, edge, edge));
   if (occupied.touched.empty() && occupied.enclosed.empty()) return std::nullopt;
-  const bool crossesDisc = std::any_of(occupied.touched.begin(), occupied.touched.end(),
-                                       [](const WallList& wall) { return !wall.discs.empty(); });
-  return WallConflict{question.movesBothWays && occupied.enclosed.empty() && !crossesDisc};
+  return WallConflict{question.movesBothWays && occupied.enclosed.empty() && occupied.touched.discs.empty()};
 }
 
 }  // namespace

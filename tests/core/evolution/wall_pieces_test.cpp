@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include "core/errors.h"
+#include "core/evolution/wall_guard.h"
 #include "core/indices.h"
 #include "core/mesh/shapes.h"
+#include "core/told_error.h"
 #include "tests/core/evolution/contour_support.h"
 
 using namespace handlebody;
@@ -37,6 +40,21 @@ WallObject objectAt(const Vec3& centre, double radius) {
   return {"object", std::make_shared<const TriangleSoup>(icosphere(centre, radius, 1))};
 }
 
+WallList together(const std::vector<WallList>& walls) {
+  WallList all;
+  std::vector<std::size_t> voxels;
+  for (const WallList& w : walls) {
+    all.balls.insert(all.balls.end(), w.balls.begin(), w.balls.end());
+    all.discs.insert(all.discs.end(), w.discs.begin(), w.discs.end());
+    all.objects.insert(all.objects.end(), w.objects.begin(), w.objects.end());
+    if (!w.map) continue;
+    const std::vector<std::size_t> more = voxelsOf(w);
+    voxels.insert(voxels.end(), more.begin(), more.end());
+  }
+  if (!voxels.empty()) all.map = mapOf(voxels);
+  return all;
+}
+
 Walls made(const WallList& list) { return {list, kGrid, 1.5, 0.4}; }
 
 //! One wall of each kind, all in the same place; the map has the voxels of a small plate.
@@ -56,32 +74,78 @@ OneOfEach oneOfEachAt(const Vec3& place) {
 
 }  // namespace
 
-TEST_CASE("walls come apart into a ball, a disc, an object each and the voxels that hang together",
-          "[walls]") {
+TEST_CASE("voxels of the map that share a corner are one piece, and two voxels away another one", "[walls]") {
+  const std::size_t inside = voxel(29, 20, 20), across = voxel(30, 21, 20), apart = voxel(26, 20, 20),
+                    corner = voxel(40, 40, 40);
   WallList list;
-  list.balls = {{kMiddle, 2}, {kMiddle + Vec3(5, 0, 0), 3}};
-  list.discs = {{kMiddle, Vec3(1, 0, 0), 4}};
-  list.objects = {objectAt(kMiddle + Vec3(0, 9, 0), 2)};
-  // Two voxels that share a corner, one two voxels away from them, one in the grid's last corner.
-  const std::vector<std::size_t> pair{voxel(3, 3, 3), voxel(4, 4, 4)};
-  list.map = mapOf({pair[0], pair[1], voxel(6, 4, 4), voxel(40, 40, 40)});
-  const std::vector<WallList> pieces = piecesOf(list, kGrid);
-  REQUIRE(pieces.size() == 7);
-  CHECK(pieces[0].balls == std::vector{list.balls[0]});
-  CHECK(pieces[1].balls == std::vector{list.balls[1]});
-  CHECK(pieces[2].discs == list.discs);
-  CHECK(pieces[3].objects == list.objects);
-  CHECK(voxelsOf(pieces[4]) == pair);
-  CHECK(voxelsOf(pieces[5]) == std::vector{voxel(6, 4, 4)});
-  CHECK(voxelsOf(pieces[6]) == std::vector{voxel(40, 40, 40)});
-  CHECK(pieces[4].map->path == "walls.nrrd");
-  const WallList whole = together(pieces);
-  CHECK(whole.balls == list.balls);
-  CHECK(whole.discs == list.discs);
-  CHECK(whole.objects == list.objects);
-  CHECK(voxelsOf(whole) == voxelsOf(list));
-  CHECK(piecesOf({}, kGrid).empty());
-  CHECK(together({}).empty());
+  list.map = mapOf({inside, across, apart, corner});
+  const Occupied occupied = findOccupied(ball(), made(list));
+  CHECK(voxelsOf(occupied.touched) == std::vector{inside, across});
+  CHECK(voxelsOf(occupied.enclosed) == std::vector{apart});
+  CHECK(occupied.touched.map->path == "walls.nrrd");
+  CHECK(findOccupied(ball(), made({})).touched.empty());
+}
+
+TEST_CASE("a map of very many specks takes no more memory than one of few", "[walls]") {
+  // A map of its own for each speck would be 20 GB.
+  const int n = 201;
+  const Grid grid = cubicGrid(n);
+  const Vec3 middle = Vec3::Constant(100);
+  std::vector<bool> flags(idx(n) * idx(n) * idx(n), false), within = flags;
+  std::size_t specks = 0;
+  for (int z = 0; z < n; z += 5)
+    for (int y = 0; y < n; y += 5)
+      for (int x = 0; x < n; x += 5) {
+        const std::size_t i = (idx(z) * idx(n) + idx(y)) * idx(n) + idx(x);
+        const double d = (Vec3(x, y, z) - middle).norm();
+        flags[i] = d < 83 || d > 92;
+        within[i] = d < 83;
+        specks += within[i];
+      }
+  REQUIRE(specks > 15'000);
+  WallList list;
+  list.map = WallMap{"walls.nrrd", {}, std::make_shared<const std::vector<bool>>(std::move(flags)), {}};
+  const Occupied occupied = findOccupied(Mesh(icosphere(middle, 88, 4)), Walls(list, grid, 4, 1));
+  CHECK(occupied.touched.empty());
+  CHECK(*occupied.enclosed.map->voxels == within);
+}
+
+TEST_CASE("the first place that is new is that of the first piece that is not wholly known", "[walls]") {
+  const OneOfEach old = oneOfEachAt(kMiddle), fresh = oneOfEachAt(kMiddle + Vec3(6, 0, 0));
+  const WallList known = together(old.all());
+  CHECK_FALSE(placeOfFresh(known, known, kGrid));
+  CHECK_FALSE(placeOfFresh({}, known, kGrid));
+  CHECK(placeOfFresh(known, {}, kGrid) == kMiddle);
+  for (const WallList& wall : fresh.all())
+    CHECK(placeOfFresh(together({known, wall}), known, kGrid) == placeOf(wall, kGrid));
+  // A piece that has become larger: its first voxel, also if that is known.
+  WallList larger;
+  larger.map = mapOf({voxel(3, 3, 3), voxel(20, 20, 20), voxel(21, 20, 20), voxel(22, 20, 20)});
+  WallList before = old.map;
+  before.map = mapOf({voxel(3, 3, 3), voxel(20, 20, 20), voxel(21, 20, 20)});
+  CHECK(placeOfFresh(larger, before, kGrid) == kMiddle);
+}
+
+TEST_CASE("a new wall in the surface is refused also where one that it encloses is known", "[walls]") {
+  const Vec3 place = kMiddle + Vec3(0, 5, 0);
+  WallList known, both;
+  known.map = mapOf({voxel(20, 20, 20)});
+  both.map = mapOf({voxel(20, 20, 20), voxel(20, 25, 20)});
+  WallGuard guard;
+  guard.choose(known, kGrid, 1.5, 0.4);
+  CHECK_NOTHROW(guard.putUp(ball(), known, false));
+  guard.choose(both, kGrid, 1.5, 0.4);
+  CHECK_THROWS_AS(guard.putUp(ball(), known, false), UsageError);
+  // So it is where something else is touched, and all of the walls are looked at.
+  WallList pushed = together({both, oneOfEachAt(kMiddle + Vec3(10, 0, 0)).ball});
+  guard.choose(pushed, kGrid, 1.5, 0.4);
+  try {
+    guard.putUp(ball(), known, true);
+    FAIL("it was not refused");
+  } catch (const Told<UsageError>& refused) {
+    CHECK(refused.finding().kind == FindingKind::wallWithin);
+    CHECK(std::get<std::array<double, 3>>(*refused.finding().find("place")) == placeValue(place));
+  }
 }
 
 TEST_CASE("what is new in walls is what the known ones do not hold, of each kind", "[walls]") {
@@ -118,10 +182,10 @@ TEST_CASE("a surface touches the walls it passes, encloses those within, and kno
     const WallList list = together({passed.all()[kind], within.all()[kind], beyond.all()[kind]});
     const Walls walls = made(list);
     const Occupied occupied = findOccupied(mesh, walls);
-    REQUIRE(occupied.touched.size() == 1);
-    REQUIRE(occupied.enclosed.size() == 1);
-    CHECK(without(passed.all()[kind], occupied.touched[0]).empty());
-    CHECK(without(within.all()[kind], occupied.enclosed[0]).empty());
+    CHECK(without(passed.all()[kind], occupied.touched).empty());
+    CHECK(without(occupied.touched, passed.all()[kind]).empty());
+    CHECK(without(within.all()[kind], occupied.enclosed).empty());
+    CHECK(without(occupied.enclosed, within.all()[kind]).empty());
     CHECK(touchesAny(mesh, walls));
     CHECK_FALSE(touchesAny(mesh, made(together({within.all()[kind], beyond.all()[kind]}))));
     CHECK(enclosesAny(mesh, walls, kMiddle, 3));

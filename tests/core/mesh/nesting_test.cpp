@@ -50,6 +50,15 @@ TEST_CASE("the winding number is 1 in the body and 0 outside of it and in its ca
   CHECK(windingNumber(mesh, parts, 1, Vec3(4, 0.5, 0.5)) == 1);
 }
 
+TEST_CASE("winding numbers at many places come in the order of the places") {
+  const Mesh mesh(zoo::both(kBody, turnedInsideOut(zoo::ball(3, Vec3(4, 0, 0)))));
+  const Components parts = findComponents(mesh);
+  const std::vector<Vec3> places{Vec3(-4, 1, 6), Vec3(4, 0.5, 0.5), Vec3(-4, 1, 2), Vec3(20, 1, 2),
+                                 Vec3(-4, 1, -6)};
+  CHECK(windingNumbers(mesh, parts, places) == std::vector{1, 0, 1, 0, 1});
+  CHECK(windingNumbers(mesh, parts, {}).empty());
+}
+
 TEST_CASE("the winding number is that of the solid angle, also where the ray meets vertices and edges") {
   const Mesh mesh(
       zoo::both(zoo::both(kBody, turnedInsideOut(zoo::torus(24, 12, 5, 2))), zoo::ball(4, Vec3(20, 0, 0))));
