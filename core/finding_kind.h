@@ -30,6 +30,8 @@ enum class FindingKind {
   passage,             //!< width_mm, place, before_mm, behind_mm
   passageTooNarrow,    //!< place, before_mm, behind_mm
   pinNotReached,       //!< pin, mesh_iteration
+  vetoNotReached,      //!< iteration, mesh_iteration
+  editNotReached,      //!< the same
   undecided,           //!< iteration, spot, allow, hold (of the command line); cause: one of the next
   wouldEnclose,        //!< ml, place
   wouldComeOff,        //!< ml, place

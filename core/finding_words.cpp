@@ -100,6 +100,14 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "the pin {pin} holds nothing: the mesh is that of iteration {mesh_iteration}, and its "
                        "iteration never came")},
+    {K::vetoNotReached, "veto-not-reached",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the veto of iteration {iteration:0f} forbids nothing: the mesh is that of iteration "
+                       "{mesh_iteration:0f}")},
+    {K::editNotReached, "edit-not-reached",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the edit of iteration {iteration:0f} is not made: the mesh is that of iteration "
+                       "{mesh_iteration:0f}")},
     {K::undecided, "undecided",
      "at iteration {iteration} a limit of the topology holds: {cause}; {option:allow}={spot} lets it happen, "
      "{option:hold}={spot} holds it without asking again"},

@@ -110,6 +110,32 @@ TEST_CASE("on-leak stop ends with exit code 6 and the mesh of before, which repl
   }
 }
 
+TEST_CASE("edits, vetoes and pins that would come after the leak are told where the run stops before it",
+          "[cli][leaks]") {
+  const TempFolder folder;
+  const PhantomFile phantom = chambers(folder);
+  const std::string place = phantom.seed.substr(0, phantom.seed.rfind(','));
+  const Outcome stopped =
+      segment(phantom, {"--on-leak", "stop", "--edit", "4000:smooth:" + phantom.seed, "--edit",
+                        "5000:smooth:" + phantom.seed, "--veto", "4001:" + place, "--pin",
+                        phantom.seed + "@4002", "-o", folder / "a.stl", "--report", folder / "r.json"});
+  REQUIRE(stopped.exitCode == 6);
+  const auto report = parsed(folder / "r.json");
+  const auto& findings = report.at("findings");
+  const auto told = [&](const std::string& kind) {
+    return std::count_if(findings.begin(), findings.end(),
+                         [&](const auto& f) { return f.at("kind") == kind; });
+  };
+  CHECK(told("edit-not-reached") == 2);
+  CHECK(told("veto-not-reached") == 1);
+  CHECK(told("pin-not-reached") == 1);
+  const std::string now = report.at("iterations").dump();
+  for (const std::string begin :
+       {"the edit of iteration 4000 is not made", "the edit of iteration 5000 is not made",
+        "the veto of iteration 4001 forbids nothing"})
+    CHECK_THAT(stopped.err, Contains("warning: " + begin + ": the mesh is that of iteration " + now));
+}
+
 TEST_CASE("on-leak wall puts a disc across and goes on, and replay makes the same mesh", "[cli][leaks]") {
   const TempFolder folder;
   const PhantomFile phantom = chambers(folder);

@@ -41,6 +41,23 @@ void requireNothingWaiting(const ActiveContour& contour) {
     refuse(FindingKind::editLeftOver, "iteration", edit->iteration);
 }
 
+namespace {
+
+//! Of vetoes and edits, where the growth was stopped before their iterations (pins: pinWarnings).
+std::vector<Finding> waitingWarnings(const Constraints& constraints, int now) {
+  std::vector<Finding> warnings;
+  const auto add = [&](FindingKind kind, const auto& all) {
+    for (const auto& one : all)
+      if (one.iteration > now)
+        warnings.push_back({kind, {{"iteration", one.iteration}, {"mesh_iteration", now}}});
+  };
+  add(FindingKind::vetoNotReached, constraints.vetoes);
+  add(FindingKind::editNotReached, constraints.edits);
+  return warnings;
+}
+
+}  // namespace
+
 CertifiedMesh grownMesh(const ActiveContour& contour) {
   if (contour.stopReason() == StopReason::empty)
     throw Told<SeedError>(Finding(FindingKind::surfaceVanished, {{"iterations", contour.iteration()}}));
@@ -61,6 +78,7 @@ void addWarnings(const ActiveContour& contour, const TriangleSoup& mesh, RunRepo
   add(leakWarnings(report));
   add(questionWarnings(report));
   add(pinWarnings(report));
+  add(waitingWarnings(contour.constraints(), contour.iteration()));
   if (support.covers(contour.mesh().faceCount())) report.unsupportedSurface = support.withoutEdge;
 }
 

@@ -17,6 +17,7 @@ void tellCandidates(const ActiveContour& contour, bool asked, RunReport& report)
 void tellState(const ActiveContour& contour, RunReport& report);
 
 //! Throws UsageError if the growth has ended and a veto, a pin or an edit of a later iteration never came.
+//! Where it was stopped and could go on, addWarnings tells them.
 void requireNothingWaiting(const ActiveContour& contour);
 
 //! The surface as it is written. Throws SeedError if nothing is left of it, and as certifiedForExport.
