@@ -1,17 +1,17 @@
 #include "ui/window/correct/brush_controls.h"
 
-#include <QDoubleSpinBox>
 #include <QSignalBlocker>
 
 #include "ui/model/translate.h"
 #include "ui/view/brush.h"
 #include "ui/view/length_decimals.h"
+#include "ui/window/widgets/decimal_field.h"
 #include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
 
 QDoubleSpinBox* brushRadius(Brush& brush, QWidget* parent) {
-  auto* field = new QDoubleSpinBox(parent);
+  auto* field = new DecimalField(parent);
   field->setSuffix(tr(" mm"));
   field->setKeyboardTracking(false);
   describe(field, tr("Radius of the brush"),

@@ -3,7 +3,6 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QButtonGroup>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -18,6 +17,7 @@
 #include "ui/window/commands.h"
 #include "ui/window/widgets/action_button.h"
 #include "ui/window/widgets/choice_row.h"
+#include "ui/window/widgets/decimal_field.h"
 #include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
@@ -74,7 +74,7 @@ QWidget* LocalSection::buildRadius() {
   auto* layout = new QVBoxLayout(part);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
-  radius_ = new QDoubleSpinBox(part);
+  radius_ = new DecimalField(part);
   radius_->setDecimals(2);
   radius_->setRange(0.01, 1000);
   radius_->setValue(kFirstRadius);

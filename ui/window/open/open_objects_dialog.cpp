@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -16,6 +15,7 @@
 #include "core/io/meshes/mesh_io.h"
 #include "ui/model/file_name.h"
 #include "ui/window/open/label_choice.h"
+#include "ui/window/widgets/decimal_field.h"
 #include "ui/window/widgets/in_background.h"
 #include "ui/window/widgets/panel_tools.h"
 
@@ -105,7 +105,7 @@ QHBoxLayout* OpenObjectsDialog::smoothingRow() {
            tr("How far the steps between the voxels are smoothed, as a standard deviation. None: the surface "
               "goes midway between the voxels, steps and all."));
   label->setBuddy(smoothing_);
-  length_ = new QDoubleSpinBox(this);
+  length_ = new DecimalField(this);
   length_->setRange(0, kLongestLength);
   length_->setDecimals(2);
   length_->setSingleStep(0.5);

@@ -1,10 +1,10 @@
 #include "ui/window/open/spacing_entry.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/window/widgets/decimal_field.h"
 #include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
@@ -14,7 +14,7 @@ namespace {
 constexpr double kSmallest = 0.0001, kLargest = 1000;  // mm
 
 QDoubleSpinBox* makeAxis(const QString& name, QWidget* parent) {
-  auto* field = new QDoubleSpinBox(parent);
+  auto* field = new DecimalField(parent);
   field->setDecimals(4);
   field->setRange(kSmallest, kLargest);
   field->setValue(1);

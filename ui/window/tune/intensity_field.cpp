@@ -20,7 +20,7 @@ bool isInfinityText(const QString& text) {
 
 }  // namespace
 
-IntensityField::IntensityField(QWidget* parent) : QDoubleSpinBox(parent) {
+IntensityField::IntensityField(QWidget* parent) : DecimalField(parent) {
   setRange(-kOpen, kOpen);
   setDecimals(kFewestDecimals);
   setKeyboardTracking(false);
@@ -51,16 +51,16 @@ void IntensityField::setKnown(bool known) {
 QString IntensityField::textFromValue(double value) const {
   if (!known_) return kUnknown;
   if (std::abs(value) < kOpen) {
-    QString text = QDoubleSpinBox::textFromValue(value);
+    const QString text = DecimalField::textFromValue(value);
     const bool whole = value == std::floor(value);
-    return whole ? locale().toString(value, 'f', 0) : text;
+    return whole ? text.section(locale().decimalPoint(), 0, 0) : text;
   }
   return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
 }
 
 double IntensityField::valueFromText(const QString& text) const {
   if (text == kUnknown) return value();
-  if (!isInfinityText(text)) return QDoubleSpinBox::valueFromText(text);
+  if (!isInfinityText(text)) return DecimalField::valueFromText(text);
   const QChar first = text.trimmed().front();
   return first == QLatin1Char('-') || first == QChar(0x2212) ? -kOpen : kOpen;
 }
@@ -69,7 +69,7 @@ QValidator::State IntensityField::validate(QString& text, int& position) const {
   if (isInfinityText(text) || text == kUnknown) return QValidator::Acceptable;
   for (const QString& word : {QStringLiteral("inf"), QStringLiteral("-inf")})
     if (word.startsWith(text.trimmed())) return QValidator::Intermediate;
-  return QDoubleSpinBox::validate(text, position);
+  return DecimalField::validate(text, position);
 }
 
 }  // namespace handlebody::ui

@@ -1,11 +1,11 @@
 #pragma once
 // A spin box for one end of a range of intensities, which may be open.
 
-#include <QDoubleSpinBox>
+#include "ui/window/widgets/decimal_field.h"
 
 namespace handlebody::ui {
 
-class IntensityField : public QDoubleSpinBox {
+class IntensityField : public DecimalField {
   Q_OBJECT
 
  public:

@@ -65,15 +65,15 @@ void NumberField::setKnown(bool known, const QString& unit) {
 }
 
 QString NumberField::textFromValue(double value) const {
-  return known_ ? QDoubleSpinBox::textFromValue(value) : kNoNumber;
+  return known_ ? DecimalField::textFromValue(value) : kNoNumber;
 }
 
 double NumberField::valueFromText(const QString& text) const {
-  return text == kNoNumber ? value() : QDoubleSpinBox::valueFromText(text);
+  return text == kNoNumber ? value() : DecimalField::valueFromText(text);
 }
 
 QValidator::State NumberField::validate(QString& text, int& position) const {
-  return text == kNoNumber ? QValidator::Acceptable : QDoubleSpinBox::validate(text, position);
+  return text == kNoNumber ? QValidator::Acceptable : DecimalField::validate(text, position);
 }
 
 ValueField::ValueField(const ValueSpec& spec, QWidget* parent)

@@ -1,12 +1,12 @@
 #pragma once
 // One number of the panels: with its unit, the automatic value if there is one, and a way back to it.
 
-#include <QDoubleSpinBox>
 #include <QString>
 #include <QWidget>
 #include <optional>
 
 #include "core/volume/volume.h"
+#include "ui/window/widgets/decimal_field.h"
 
 class QToolButton;
 
@@ -23,11 +23,11 @@ struct ValueSpec {
 };
 
 //! A number that shows a dash while it is not known.
-class NumberField : public QDoubleSpinBox {
+class NumberField : public DecimalField {
   Q_OBJECT
 
  public:
-  using QDoubleSpinBox::QDoubleSpinBox;
+  using DecimalField::DecimalField;
 
   //! `unit` is written behind the number, not behind the dash.
   void setKnown(bool known, const QString& unit);
