@@ -70,7 +70,7 @@ bool Document::Private::mayChange() { return active().traits.locked ? mayGoOn() 
 void Document::Private::push(const QString& text, Edits after, int gesture) {
   if (!mayChange()) return;
   if (meanOthers(active().edits(), after)) after.parameters.candidate = 1;
-  undo.push(new EditCommand(text, active().edits(), std::move(after), gesture,
+  undo.push(new EditCommand(text, objects.active(), active().edits(), std::move(after), gesture,
                             [this, object = objects.active()](const Edits& e, EditCommand::Way way) {
                               activate(object);
                               if (object != objects.active()) return;  // a correction that is forgotten

@@ -28,8 +28,9 @@ class EditCommand : public QUndoCommand {
   enum class Way { undo, redo };
   using Apply = std::function<void(const Edits&, Way)>;
 
-  //! Calls of one gesture (>= 0) with the same text merge.
-  EditCommand(const QString& text, Edits before, Edits after, int gesture, Apply apply);
+  //! Calls of one gesture (>= 0) with the same text merge if they change the same `object`.
+  EditCommand(const QString& text, std::shared_ptr<const ObjectWork> object, Edits before, Edits after,
+              int gesture, Apply apply);
 
   int id() const override;
   bool mergeWith(const QUndoCommand* other) override;
@@ -38,6 +39,7 @@ class EditCommand : public QUndoCommand {
   const Edits& after() const { return after_; }
 
  private:
+  std::shared_ptr<const ObjectWork> object_;
   Edits before_, after_;
   int gesture_;
   Apply apply_;

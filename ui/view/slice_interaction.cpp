@@ -192,6 +192,11 @@ void SliceInteraction::cancel() {
   seed_ = -1;
 }
 
+void SliceInteraction::leaveObject() {
+  gesture_ = ViewState::nextGesture();
+  if (drag_ == Drag::moveSeed || drag_ == Drag::resizeSeed || drag_ == Drag::brush) cancel();
+}
+
 void SliceInteraction::setCrosshairAt(const QPointF& pixel) {
   state_.setCrosshair(geometry_.grid().toWorld(geometry_.clamped(geometry_.toIndex(pixel))));
 }

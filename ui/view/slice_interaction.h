@@ -40,6 +40,8 @@ class SliceInteraction {
   void setOutline(std::function<const std::vector<std::array<Vec3, 2>>&()> outline);
   //! Ends what the mouse has hold of, as when the volume is replaced; a stroke of the brush is not kept.
   void cancel();
+  //! Another object is active: what has hold of the one before ends, the mouse's drag and a key's.
+  void leaveObject();
 
   //! What the mouse would do at a place, or is doing.
   QCursor cursorAt(const QPointF& pixel) const;

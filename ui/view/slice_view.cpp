@@ -300,6 +300,7 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
     update();
     tellHoverAgain();
   });
+  connect(&document, &Document::activeObjectChanged, this, [this] { d_->interaction.leaveObject(); });
   connect(&document, &Document::seedsChanged, this, repaint);
   connect(&document, &Document::selectedSeedChanged, this, repaint);
   connect(&document, &Document::resolvedChanged, this, repaint);

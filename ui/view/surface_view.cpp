@@ -81,6 +81,9 @@ void SurfaceView::Private::connectDocument() {
     content.startFrame();
     view.update();
   });
+  connect(&document, &Document::activeObjectChanged, &view, [this] {
+    if (brush.isDown()) brush.giveUp();
+  });
   for (auto changed : {&Document::seedsChanged, &Document::resolvedChanged})
     connect(&document, changed, &view, [this] { redraw(ScenePart::seeds); });
   for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})

@@ -5,6 +5,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/objects/object_dialog.h"
 #include "ui/window/widgets/message_bar.h"
+#include "ui/window/widgets/value_field.h"
 
 namespace handlebody::ui {
 
@@ -40,6 +41,7 @@ void MainWindow::connectObjectCommands() {
 //! The crosshair goes to a seed of it, so that the slices show it; of work that was just opened it stays.
 void MainWindow::showObject() {
   seekingEvent_ = false;
+  endGesture();
   if (std::exchange(justOpened_, false)) return;
   if (document_.seeds().empty()) return;
   if (document_.selectedSeed() < 0) document_.selectSeed(0);

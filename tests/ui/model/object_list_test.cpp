@@ -236,3 +236,30 @@ TEST_CASE("a locked object is not changed", "[objects]") {
   CHECK(document.iteration() == 6);
   CHECK(document.state() == GrowthState::paused);
 }
+
+TEST_CASE("changes of one gesture in two objects are two, and none goes into the other object", "[objects]") {
+  ObjectsWork work;
+  Document& document = work.document;
+  const Seed first = work.torus.seed, second = work.opposite();
+  document.addSeed(first);
+  document.addObject();
+  document.addSeed(second);
+  document.setActiveObject(0);
+  document.setSeedRadius(0, 2.5, 7);
+  document.setActiveObject(1);
+  document.setSeedRadius(0, 3.5, 7);
+  QUndoStack& undo = *document.undoStack();
+  const int all = undo.count();
+  undo.undo();
+  CHECK(document.activeObject() == 1);
+  CHECK(document.seeds() == std::vector{second});
+  undo.undo();
+  CHECK(document.activeObject() == 0);
+  CHECK(document.seeds() == std::vector{first});
+  undo.redo();
+  CHECK(document.seeds() == std::vector{Seed{first.centre, 2.5}});
+  undo.redo();
+  CHECK(document.activeObject() == 1);
+  CHECK(document.seeds() == std::vector{Seed{second.centre, 3.5}});
+  CHECK(undo.index() == all);
+}

@@ -169,3 +169,13 @@ TEST_CASE("What another object hides cannot be touched", "[surface_view][pins]")
   QTest::mouseClick(&ball.view, Qt::LeftButton, {}, centre);
   CHECK(pinned(ball.document).empty());
 }
+
+TEST_CASE("In 3D a stroke of the brush is given up when another object becomes active", "[surface_view]") {
+  Ball ball;
+  if (!ball.ready()) return;
+  ball.state.brush().setMode(Brush::Mode::pin);
+  QTest::mousePress(&ball.view, Qt::LeftButton, {}, ball.centre());
+  Q_EMIT ball.document.activeObjectChanged();
+  QTest::mouseRelease(&ball.view, Qt::LeftButton, {}, ball.centre());
+  CHECK(pinned(ball.document).empty());
+}

@@ -20,6 +20,8 @@ class HistogramView : public QWidget {
   void setHistogram(const Histogram& histogram);
   //! `automatic`: it was chosen by the program (drawn with dashed ends). None: nothing is known yet.
   void setRange(const std::optional<IntensityRange>& range, bool automatic);
+  //! What the mouse has hold of is let go.
+  void endDrag() { dragging_ = false; }
   QSize sizeHint() const override { return {260, 120}; }
   QSize minimumSizeHint() const override { return {160, 100}; }
 

@@ -59,6 +59,7 @@ TunePanel::TunePanel(Document& document, ViewState& state, QWidget* parent)
   connect(&document_, &Document::opened, this, &TunePanel::countIntensities);
   connect(&document_, &Document::opened, this, &TunePanel::boundLengths);
   connect(&document_, &Document::frameShown, this, &TunePanel::updateTint);
+  connect(&document_, &Document::activeObjectChanged, histogram_, &HistogramView::endDrag);
   for (auto changed :
        {&Document::opened, &Document::parametersChanged, &Document::resolvedChanged, &Document::seedsChanged})
     connect(&document_, changed, this, &TunePanel::show);

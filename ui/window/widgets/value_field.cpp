@@ -31,6 +31,18 @@ NumberField* makeNumber(const ValueSpec& spec, QWidget* parent) {
   return number;
 }
 
+struct LastGesture {
+  int gesture = -1;
+  const QObject* owner = nullptr;
+  QElapsedTimer since;
+};
+
+//! There is one user, on the GUI thread, at whatever control.
+LastGesture& lastGesture() {
+  static LastGesture last;
+  return last;
+}
+
 QToolButton* makeReset(const ValueSpec& spec, QWidget* parent) {
   if (spec.fallback) {
     auto* reset = new QToolButton(parent);
@@ -49,15 +61,15 @@ QToolButton* makeReset(const ValueSpec& spec, QWidget* parent) {
 }  // namespace
 
 int gestureOf(const QObject* owner) {
-  // There is one user, on the GUI thread, at whatever control.
-  static int gesture = -1;
-  static const QObject* last = nullptr;
-  static QElapsedTimer since;
-  if (owner != last || !since.isValid() || since.elapsed() > kSameGesture) gesture = ViewState::nextGesture();
-  last = owner;
-  since.start();
-  return gesture;
+  LastGesture& last = lastGesture();
+  if (owner != last.owner || !last.since.isValid() || last.since.elapsed() > kSameGesture)
+    last.gesture = ViewState::nextGesture();
+  last.owner = owner;
+  last.since.start();
+  return last.gesture;
 }
+
+void endGesture() { lastGesture().owner = nullptr; }
 
 void NumberField::setKnown(bool known, const QString& unit) {
   known_ = known;

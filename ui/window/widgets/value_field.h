@@ -68,5 +68,7 @@ class ValueField : public QWidget {
 //! A number for one gesture of the user: the same as that of the last call for `owner` if it was less than a
 //! second ago.
 int gestureOf(const QObject* owner);
+//! The next call begins another one.
+void endGesture();
 
 }  // namespace handlebody::ui
