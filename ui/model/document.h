@@ -162,6 +162,8 @@ class Document : public QObject {
   //! Tells an object from all others, wherever it stands and whatever it is called; the same when undo brings
   //! it back. Expired: it is gone for good.
   std::weak_ptr<const void> objectKey(int index) const;
+  //! Where the object with that key stands; -1: not in the list.
+  int indexOfObject(const std::weak_ptr<const void>& key) const;
   //! What the objects are called where nothing is to name the patient: those that are called after the file
   //! that they were opened from have another name (core/io/report/anonymous_names.h).
   std::vector<std::string> anonymousNames() const;

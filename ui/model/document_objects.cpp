@@ -117,6 +117,13 @@ std::weak_ptr<const void> Document::objectKey(int index) const {
   return std::shared_ptr<const void>(d_->objects.all().at(static_cast<std::size_t>(index)));
 }
 
+int Document::indexOfObject(const std::weak_ptr<const void>& key) const {
+  const auto wanted = key.lock();
+  for (int i = 0; wanted && i < objectCount(); ++i)
+    if (objectKey(i).lock() == wanted) return i;
+  return -1;
+}
+
 std::vector<std::string> Document::anonymousNames() const {
   std::vector<NamedObject> named;
   for (const auto& object : d_->objects) {

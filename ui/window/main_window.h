@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <functional>
+#include <memory>
 
 #include "ui/model/document.h"
 #include "ui/view/view_state.h"
@@ -104,6 +105,7 @@ class MainWindow : public QMainWindow {
   // main_window_edits.cpp
   void tellOfEdit();
   // main_window_leaks.cpp
+  bool goToObject(const std::weak_ptr<const void>& object);
   void showLeak(int index);
   void showQuestion();
   void answerQuestion(const HeldPlace& held, bool allows);

@@ -10,25 +10,34 @@
 
 namespace handlebody::ui {
 
+//! Answers may come when the user is at another object: what they do is about this one. False: it is gone.
+bool MainWindow::goToObject(const std::weak_ptr<const void>& object) {
+  document_.setActiveObject(document_.indexOfObject(object));
+  return document_.objectKey(document_.activeObject()).lock() == object.lock();
+}
+
 void MainWindow::showLeak(int index) {
   if (index < 0 || index >= static_cast<int>(document_.leaks().size())) return;
   const FoundLeak found = document_.leaks()[index];
   state_.setCrosshair(found.leak.place);
   const QString text = tr("A leak at iteration %1: %2.")
                            .arg(QString::number(found.leak.iteration), findingText(findingOf(found.leak)));
-  const auto isStill = [this, index, found] {
+  const auto goToLeak = [this, index, found, object = document_.objectKey(document_.activeObject())] {
+    if (!goToObject(object)) return false;
     const auto& all = document_.leaks();
     return index < static_cast<int>(all.size()) && all[index].leak.iteration == found.leak.iteration;
   };
-  const auto wall = [this, index, isStill] {
-    if (!isStill()) return;
+  const auto wall = [this, index, goToLeak] {
+    if (!goToLeak()) return;
     document_.wallAt(index);
     document_.run();
   };
-  const auto back = [this, found, isStill] {
-    if (isStill()) document_.goTo(found.before);
+  const auto back = [this, found, goToLeak] {
+    if (goToLeak()) document_.goTo(found.before);
   };
-  const auto on = [this] { document_.run(); };
+  const auto on = [this, object = document_.objectKey(document_.activeObject())] {
+    if (goToObject(object)) document_.run();
+  };
   messages_->show(MessageBar::Kind::warning, text,
                   {{tr("Wall here"), wall}, {tr("Go back"), back}, {tr("Go on"), on}});
 }
@@ -39,9 +48,12 @@ void MainWindow::showQuestion() {
   if (open.empty()) return;
   const HeldPlace held = open.front();
   state_.setCrosshair(held.place);
-  messages_->show(MessageBar::Kind::warning, questionText(held),
-                  {{tr("Let it happen"), [this, held] { answerQuestion(held, true); }},
-                   {tr("Hold it"), [this, held] { answerQuestion(held, false); }}});
+  const auto answer = [this, held, object = document_.objectKey(document_.activeObject())](bool allows) {
+    if (goToObject(object)) answerQuestion(held, allows);
+  };
+  messages_->show(
+      MessageBar::Kind::warning, questionText(held),
+      {{tr("Let it happen"), [answer] { answer(true); }}, {tr("Hold it"), [answer] { answer(false); }}});
 }
 
 //! Goes on after the last of them.
@@ -64,10 +76,8 @@ void MainWindow::answerQuestion(const HeldPlace& held, bool allows) {
 //! The views stay with the object that the user is at.
 void MainWindow::offerObject(int object, const QString& text, const std::function<void()>& show) {
   const std::string name = document_.objectInfo(object).label.name;
-  const auto go = [this, object, name, show] {
-    if (object >= document_.objectCount() || document_.objectInfo(object).label.name != name) return;
-    document_.setActiveObject(object);
-    show();
+  const auto go = [this, key = document_.objectKey(object), show] {
+    if (goToObject(key)) show();
   };
   messages_->show(MessageBar::Kind::warning, text.arg(QString::fromStdString(name)), {{tr("Show it"), go}});
 }

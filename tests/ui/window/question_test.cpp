@@ -77,6 +77,7 @@ class QuestionTest : public QObject {
   void theGrowthPausesAsksAndHolds();
   void whatIsUndoneIsAskedAgainAndMayHappen();
   void neverMoreThanListsWhatIsHeldAndDoesNotPause();
+  void theAnswerIsForTheObjectThatAsked();
 };
 
 void QuestionTest::theLimitsAreChosenAndTakenBack() {
@@ -170,6 +171,20 @@ void QuestionTest::neverMoreThanListsWhatIsHeldAndDoesNotPause() {
   for (int i = 0; i < table->rowCount(); ++i)
     isListed = isListed || table->item(i, 0)->text().startsWith("Held: Handle inserted, ");
   QVERIFY(isListed);
+}
+
+void QuestionTest::theAnswerIsForTheObjectThatAsked() {
+  Opened o;
+  QVERIFY(o.ok);
+  o.choose(Qt::Key_End);
+  QVERIFY(o.isAsked());
+  QTRY_VERIFY(o.message()->isVisible());
+  o.document().addObject();
+  QCOMPARE(o.document().activeObject(), 1);
+  QVERIFY(o.press(o.message(), "Hold it"));
+  QCOMPARE(o.document().activeObject(), 0);
+  QCOMPARE(o.document().undoStack()->undoText(), QString("Hold it"));
+  QVERIFY(waitFor(*o.window, GrowthState::finished));
 }
 
 int main(int argc, char** argv) {

@@ -192,8 +192,9 @@ void ComparePage::choose() {
     const ObjectLabel label = document_.objectInfo(index).label;
     QString name = QString::fromStdString(label.name);
     name.replace(QLatin1Char('&'), QLatin1String("&&"));  // no letter to press
-    connect(menu->addAction(swatch(label.colour), name), &QAction::triggered, this,
-            [this, object = document_.objectKey(index)] { compareWithObject(indexOf(object)); });
+    connect(
+        menu->addAction(swatch(label.colour), name), &QAction::triggered, this,
+        [this, object = document_.objectKey(index)] { compareWithObject(document_.indexOfObject(object)); });
   }
   menu->popup(choose_->mapToGlobal(QPoint(0, choose_->height())));
 }
@@ -246,14 +247,6 @@ std::vector<int> ComparePage::otherObjects() const {
   return others;
 }
 
-//! -1: it is not in the list.
-int ComparePage::indexOf(const ObjectKey& object) const {
-  const auto wanted = object.lock();
-  for (int i = 0; wanted && i < document_.objectCount(); ++i)
-    if (document_.objectKey(i).lock() == wanted) return i;
-  return -1;
-}
-
 // --- comparing ---
 
 //! None: there is no surface, or no reference that could be compared with it now.
@@ -264,7 +257,7 @@ std::optional<CompareQuestion> ComparePage::question() const {
   if (const QVariant label = label_->currentData(); isLabelMap_ && label.isValid())
     question.label = label.toInt();
   if (!path_.isEmpty()) return question;
-  const int index = indexOf(object_);
+  const int index = document_.indexOfObject(object_);
   if (index != document_.activeObject()) question.object = surfaceOf(index);
   return question.object ? std::optional(std::move(question)) : std::nullopt;
 }
@@ -393,7 +386,7 @@ void ComparePage::showState() {
 }
 
 void ComparePage::showReference() {
-  if (const int index = indexOf(object_); index >= 0)
+  if (const int index = document_.indexOfObject(object_); index >= 0)
     objectName_ = QString::fromStdString(document_.objectInfo(index).label.name);
   const QString name = path_.isEmpty() ? objectName_ : QFileInfo(path_).fileName();
   reference_->setText(name.isEmpty()
@@ -410,7 +403,7 @@ void ComparePage::showReference() {
 bool ComparePage::isEarlier() const {
   if (compared_ != document_.snapshot()) return true;
   if (!asked_.object) return false;
-  const auto now = surfaceOf(indexOf(object_));
+  const auto now = surfaceOf(document_.indexOfObject(object_));
   return !now || !now->mesh->isOf(*asked_.object->mesh->shown());
 }
 

@@ -71,7 +71,6 @@ class ComparePage : public QWidget {
 
   std::optional<MeasuredSurface> surfaceOf(int index) const;
   std::vector<int> otherObjects() const;
-  int indexOf(const ObjectKey& object) const;
   std::optional<CompareQuestion> question() const;
   bool isEarlier() const;
   QString stateText() const;
