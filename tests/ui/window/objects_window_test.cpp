@@ -2,12 +2,14 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QUndoStack>
 #include <algorithm>
 
 #include "core/collision/body_contact.h"
+#include "tests/ui/dumbbell.h"
 #include "tests/ui/window/two_balls.h"
 #include "ui/window/objects/object_dialog.h"
 #include "ui/window/timeline/event_table.h"
@@ -49,6 +51,9 @@ class ObjectsWindowTest : public QObject {
   void theTableOfEventsIsThatOfTheActiveObject();
   void propertiesAreChangedInADialog();
   void aTermOfAFileStandsFirstUntilAnotherIsChosen();
+  void propertiesFollowTheirObjectInTheList();
+  void propertiesOfAnObjectThatIsGoneAreClosed();
+  void whatIsAnsweredToALeakIsForItsObject();
 };
 
 void ObjectsWindowTest::withOneObjectTheListIsOutOfTheWay() {
@@ -206,6 +211,74 @@ void ObjectsWindowTest::aTermOfAFileStandsFirstUntilAnotherIsChosen() {
   QCOMPARE(document.objectInfo(0).label.term, std::string("liver"));
   QVERIFY(!document.objectInfo(0).label.source.terminology);
   QVERIFY(document.objectInfo(0).label.source.algorithm == label.source.algorithm);
+}
+
+void ObjectsWindowTest::propertiesFollowTheirObjectInTheList() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  ui::Document& document = window->document();
+  QTest::keyClick(window.get(), Qt::Key_N, Qt::ControlModifier);
+  QTest::keyClick(window.get(), Qt::Key_F2);
+  auto* dialog = window->findChild<ui::ObjectDialog*>();
+  QVERIFY(dialog && QTest::qWaitForWindowExposed(dialog));
+  document.moveObject(1, 0);  // as what is opened in the background moves it
+  dialog->findChild<QLineEdit*>()->setText("Cyst");
+  dialog->accept();
+  QCOMPARE(document.objectInfo(0).label.name, std::string("Cyst"));
+  QCOMPARE(document.objectInfo(1).label.name, std::string("Object"));
+}
+
+void ObjectsWindowTest::propertiesOfAnObjectThatIsGoneAreClosed() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  ui::Document& document = window->document();
+  const auto openDialog = [&]() -> ui::ObjectDialog* {
+    window->activateWindow();
+    if (!QTest::qWaitForWindowActive(window.get())) return nullptr;
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    auto* dialog = window->findChild<ui::ObjectDialog*>();
+    return dialog && QTest::qWaitForWindowExposed(dialog) ? dialog : nullptr;
+  };
+  QTest::keyClick(window.get(), Qt::Key_N, Qt::ControlModifier);
+  QVERIFY(openDialog());
+  document.undoStack()->undo();
+  QTRY_VERIFY(!window->findChild<ui::ObjectDialog*>());
+  QVERIFY(openDialog());
+  QVERIFY(open(*window, sample("cyst.nii.gz")));
+  QTRY_VERIFY(!window->findChild<ui::ObjectDialog*>());
+}
+
+void ObjectsWindowTest::whatIsAnsweredToALeakIsForItsObject() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("dumbbell.mha");
+  writeVolume(testing::dumbbellVolume(), path.toStdString());
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, path));
+  ui::Document& document = window->document();
+  document.addSeed({testing::kLeftBall, 3.0});
+  Parameters parameters = document.parameters();
+  parameters.range = IntensityRange{-1000, 100};
+  document.setParameters(parameters, QStringLiteral("Range"));
+  document.setPausesAtLeaks(true);
+  document.run();
+  QVERIFY(QTest::qWaitFor(
+      [&] { return !document.leaks().empty() && document.state() == GrowthState::paused; }, kPatience));
+  const int before = document.leaks()[0].before;
+  QTRY_VERIFY(saying<QPushButton>(window->messages(), "Go back"));
+  document.addObject();
+  saying<QPushButton>(window->messages(), "Go back")->click();
+  QCOMPARE(document.activeObject(), 0);
+  QTRY_COMPARE(document.iteration(), before);
+
+  document.goTo(document.lastIteration());
+  QTRY_COMPARE(document.iteration(), document.lastIteration());
+  Q_EMIT document.leaked(0);
+  document.setActiveObject(1);
+  saying<QPushButton>(window->messages(), "Go on")->click();
+  QCOMPARE(document.activeObject(), 0);
+  QVERIFY(waitFor(*window, GrowthState::finished));
 }
 
 int main(int argc, char** argv) {

@@ -29,8 +29,8 @@ QIcon filled(const Colour& colour) {
 }  // namespace
 
 ObjectDialog::ObjectDialog(Document& document, QWidget* parent)
-    : QDialog(parent), document_(document), object_(document.activeObject()) {
-  before_ = document_.objectInfo(object_).label;
+    : QDialog(parent), document_(document), object_(document.objectKey(document.activeObject())) {
+  before_ = document_.objectInfo(document_.activeObject()).label;
   colour_ = before_.colour;
   setWindowTitle(tr("Properties of the object"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -41,6 +41,8 @@ ObjectDialog::ObjectDialog(Document& document, QWidget* parent)
   connect(colourButton_, &QToolButton::clicked, this, &ObjectDialog::chooseColour);
   connect(buttons_, &QDialogButtonBox::accepted, this, &ObjectDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &ObjectDialog::reject);
+  connect(&document_, &Document::objectsChanged, this, &ObjectDialog::followList);
+  connect(&document_, &Document::opened, this, &ObjectDialog::reject);
   showFault();
 }
 
@@ -108,16 +110,25 @@ void ObjectDialog::takeTerm() {
     name_->setText(QString::fromStdString(term->type.meaning));
 }
 
+//! Waits for no answer: this dialog may be closed meanwhile.
 void ObjectDialog::chooseColour() {
-  const QColor chosen = QColorDialog::getColor(shown(colour_), this, tr("Colour of the object"));
-  if (!chosen.isValid()) return;
-  colour_ = {static_cast<std::uint8_t>(chosen.red()), static_cast<std::uint8_t>(chosen.green()),
-             static_cast<std::uint8_t>(chosen.blue())};
-  colourButton_->setIcon(filled(colour_));
+  auto* dialog = new QColorDialog(shown(colour_), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Colour of the object"));
+  connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& chosen) {
+    colour_ = {static_cast<std::uint8_t>(chosen.red()), static_cast<std::uint8_t>(chosen.green()),
+               static_cast<std::uint8_t>(chosen.blue())};
+    colourButton_->setIcon(filled(colour_));
+  });
+  dialog->open();
 }
 
+//! What takes its time changes the list while this is open.
+void ObjectDialog::followList() { document_.indexOfObject(object_) < 0 ? reject() : showFault(); }
+
+//! Precondition: the object is in the list.
 void ObjectDialog::showFault() {
-  const QString fault = document_.objectLabelFault(object_, label());
+  const QString fault = document_.objectLabelFault(document_.indexOfObject(object_), label());
   fault_->setText(fault);
   fault_->setVisible(!fault.isEmpty());
   buttons_->button(QDialogButtonBox::Ok)->setEnabled(fault.isEmpty());
@@ -126,8 +137,10 @@ void ObjectDialog::showFault() {
 }
 
 void ObjectDialog::accept() {
-  if (object_ < document_.objectCount() && document_.objectLabelFault(object_, label()).isEmpty())
-    document_.setObjectLabel(object_, label(), tr("Change object"));
+  const int index = document_.indexOfObject(object_);
+  if (index < 0) return reject();
+  if (document_.objectLabelFault(index, label()).isEmpty())
+    document_.setObjectLabel(index, label(), tr("Change object"));
   QDialog::accept();
 }
 

@@ -2,6 +2,7 @@
 // Name, colour, label value and term of an object.
 
 #include <QDialog>
+#include <memory>
 
 #include "core/io/meshes/exported_object.h"
 
@@ -20,7 +21,8 @@ class ObjectDialog : public QDialog {
   Q_OBJECT
 
  public:
-  //! Of the active object, which is changed when the dialog is accepted.
+  //! Of the object that is active now, which is changed when the dialog is accepted, wherever it stands by
+  //! then. Closes when it is gone, or another volume was opened.
   explicit ObjectDialog(Document& document, QWidget* parent = nullptr);
 
   void accept() override;
@@ -30,11 +32,12 @@ class ObjectDialog : public QDialog {
   void offerTerms();
   void takeTerm();
   void chooseColour();
+  void followList();
   void showFault();
   ObjectLabel label() const;
 
   Document& document_;
-  int object_;
+  const std::weak_ptr<const void> object_;  // its key
   ObjectLabel before_;
   Colour colour_;
   QLineEdit* name_;
