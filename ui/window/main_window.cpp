@@ -97,6 +97,12 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(documen
   connectHelpCommands();
   connect(&document_, &Document::opened, this, &MainWindow::showOpened);
   connect(&document_, &Document::openFailed, this, &MainWindow::sayDropFailed);
+  connect(&document_, &Document::openingCancelled, this, &MainWindow::forgetDrop);
+  connect(&document_, &Document::seriesChoiceNeeded, this, &MainWindow::forgetDrop);
+  connect(&document_, &Document::fileNeeded, this, &MainWindow::forgetDrop);
+  connect(&document_, &Document::opening, this, [this](const QString& path) {
+    if (path != dropped_) forgetDrop();
+  });
   connect(&document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
   connect(files_, &FileWork::recentChanged, this, &MainWindow::fillRecent);
   connect(files_, &FileWork::aboutToSave, this, &MainWindow::keepView);
@@ -251,11 +257,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
   const QString folder = folderOfSlices(urls);
-  files_->open(folder.isEmpty() ? urls.front().toLocalFile() : folder);
-  // Told with what came of it: what is said before goes when the volume is there.
-  if (urls.size() > 1 && folder.isEmpty())
-    dropNote_ =
-        tr("Several files were dropped; the first one is opened. For a DICOM series drop its folder.");
+  const bool isOnlyFirst = urls.size() > 1 && folder.isEmpty();
+  const QString note =
+      tr("Several files were dropped; the first one is opened. For a DICOM series drop its folder.");
+  if (isOnlyFirst) messages_->show(MessageBar::Kind::warning, note);
+  dropped_ = folder.isEmpty() ? urls.front().toLocalFile() : folder;
+  forgetDrop();
+  files_->open(dropped_);
+  // What is said before goes when a volume is there: told once more, with what came of it.
+  if (isOnlyFirst && document_.isOpening()) dropNote_ = note;
 }
 
 void MainWindow::sayDropFailed(const QString& sentence, bool needsSpacing) {

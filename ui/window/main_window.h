@@ -92,6 +92,7 @@ class MainWindow : public QMainWindow {
   void saveSettings();
   void showOpened();
   void sayDropFailed(const QString& sentence, bool needsSpacing);
+  void forgetDrop() { dropNote_.clear(); }
   // main_window_measures.cpp
   void buildMeasures();
   void connectMeasureCommands();
@@ -141,7 +142,8 @@ class MainWindow : public QMainWindow {
   QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr, *measuresDock_ = nullptr,
               *overTimeDock_ = nullptr;
   QMenu *recent_ = nullptr, *panels_ = nullptr;
-  QString dropNote_;  //!< of several files that were dropped
+  QString dropped_;   //!< what was dropped last
+  QString dropNote_;  //!< that it was one of several files; empty: it was not, or it is told
   Appearance appearance_ = Appearance::system;
   bool justOpened_ = false;    //!< the views are as the session says
   bool seekingEvent_ = false;  //!< N or P was pressed: the views follow to the event that is reached

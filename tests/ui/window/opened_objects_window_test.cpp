@@ -62,14 +62,18 @@ QString writeSegments(const QTemporaryDir& folder) {
   return path;
 }
 
-void drop(ui::MainWindow& window, const QString& path) {
+void drop(ui::MainWindow& window, const QStringList& paths) {
   QMimeData mime;
-  mime.setUrls({QUrl::fromLocalFile(path)});
+  QList<QUrl> urls;
+  for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
+  mime.setUrls(urls);
   QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&window, &enter);  // without it Qt drops the drop
   QDropEvent event(QPointF(300, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&window, &event);
 }
+
+void drop(ui::MainWindow& window, const QString& path) { drop(window, QStringList(path)); }
 
 //! The segments of writeSegments() within DICOM, under a name as media of a PACS have it.
 QString writeDicomSegments(const QTemporaryDir& folder, const char* name) {
@@ -95,6 +99,7 @@ class OpenedObjectsWindowTest : public QObject {
   void thatOneMeetsAnotherIsTold();
   void whatIsCancelledOpensNothing();
   void whatIsNoLabelMapIsToldAndAsksNothing();
+  void ofSeveralDroppedMeshesItIsToldAtOnceThatOneIsOpened();
 };
 
 void OpenedObjectsWindowTest::aDroppedMeshIsAskedAboutAndBecomesAnObject() {
@@ -310,6 +315,21 @@ void OpenedObjectsWindowTest::whatIsNoLabelMapIsToldAndAsksNothing() {
   QTRY_VERIFY_WITH_TIMEOUT(!askedOf(*window), kPatience);
   QVERIFY(window->messages().text().contains("whole numbers"));
   QCOMPARE(window->document().objectCount(), 1);
+}
+
+void OpenedObjectsWindowTest::ofSeveralDroppedMeshesItIsToldAtOnceThatOneIsOpened() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  const QString first = folder.filePath("first.stl"), second = folder.filePath("second.stl");
+  writeMesh(icosphere(kLeft, 4, 1.2), first.toStdString());
+  writeMesh(icosphere(kRight, 4, 1.2), second.toStdString());
+  drop(*window, QStringList{first, second});
+  QVERIFY(window->messages().isVisible() && window->messages().text().startsWith("Several files"));
+  QVERIFY(answer(*window, "Cancel"));
+  QVERIFY(open(*window, sample("cyst.nii.gz")));  // has nothing to do with it
+  QVERIFY2(!window->messages().text().contains("Several files") || !window->messages().isVisible(),
+           qPrintable(window->messages().text()));
 }
 
 int main(int argc, char** argv) {
