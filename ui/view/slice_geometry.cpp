@@ -117,7 +117,7 @@ QStringList slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& c
   if (isOblique(geometry.grid()))
     return {number,
             tr("%1  %2  %3 mm").arg(place(0, crosshair[0]), place(1, crosshair[1]), place(2, crosshair[2]))};
-  Vec3 index = Vec3::Zero();
+  Vec3 index = geometry.grid().toIndex(crosshair);
   index[geometry.axes().normal] = geometry.slice();
   const int world = static_cast<int>(plane);
   return {tr("%1, %2 mm").arg(number, place(world, geometry.grid().toWorld(index)[world]))};

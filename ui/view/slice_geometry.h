@@ -65,8 +65,9 @@ class SliceGeometry {
 //! The middle slice without a rim, about a pixel per voxel but at most `longest` along a side: for a texture.
 SliceGeometry wholeSlice(const Grid& grid, Plane plane, double longest);
 
-//! Lines: "Slice 5 of 20, S 12.0 mm"; of an oblique volume, where no one number says where a slice lies,
-//! "Slice 5 of 20" and the whole place of the crosshair (mm LPS).
+//! Lines: "Slice 5 of 20, S 12.0 mm", where the crosshair passes through it: even below the degree from which
+//! a volume is oblique its corners may lie some millimetres higher or lower; of an oblique volume, where no
+//! one number says where a slice lies, "Slice 5 of 20" and the whole place of the crosshair (mm LPS).
 QStringList slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair);
 
 }  // namespace handlebody::ui

@@ -336,6 +336,25 @@ TEST_CASE("The corner says which slice it is, and where", "[slice]") {
   CHECK(lines[1] == "R 1.2  A 2.0  S 3.0 mm");
 }
 
+TEST_CASE("In a volume that is tilted a little a slice is where the crosshair is in it", "[slice]") {
+  Grid grid = handlebody::testing::cubicGrid(201);
+  const double tilt = 0.9 * M_PI / 180;
+  grid.direction = Eigen::AngleAxisd(tilt, Vec3::UnitX()).toRotationMatrix();
+  REQUIRE_FALSE(isOblique(grid));
+  for (Plane plane : kPlanes) {
+    SliceGeometry geometry(grid, plane, {100, 100});
+    geometry.setSlice(10);
+    Vec3 index(150, 150, 150);
+    index[geometry.axes().normal] = 10;
+    const Vec3 crosshair = grid.toWorld(index);
+    const int world = static_cast<int>(plane);
+    const QString there = QString("%1 %2 mm")
+                              .arg(QChar(anatomicalLetter(world, crosshair[world] >= 0)))
+                              .arg(std::abs(crosshair[world]), 0, 'f', 1);
+    CHECK(slicePlace(geometry, plane, crosshair) == QStringList{"Slice 11 of 201, " + there});
+  }
+}
+
 TEST_CASE("The texture of a slice covers its voxels and nothing else, to a pixel", "[slice]") {
   const Grid grid = awkwardGrid();
   for (Plane plane : kPlanes) {
