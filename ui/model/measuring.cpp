@@ -21,8 +21,7 @@ std::optional<MeasuredWall> wallOf(Measured& m, const WantedWall& wanted) {
     return MeasuredWall{first.name, second.name, wallThickness(first.mesh, second.mesh)};
   }
   const auto [outer, inner] = outerAndInner(first.mesh);
-  if (!inner.triangles.empty())
-    return MeasuredWall{"the outer surface", "the cavities", wallThickness(outer, inner)};
+  if (!inner.triangles.empty()) return MeasuredWall{kOuterSurface, kCavities, wallThickness(outer, inner)};
   m.warnings.push_back({FindingKind::noCavity, {{"object", first.name}}});
   return std::nullopt;
 }

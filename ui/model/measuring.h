@@ -34,6 +34,9 @@ struct WantedWall {
   std::optional<int> second{};  //!< none: the first one's cavities
 };
 
+//! The two surfaces of a wall that an object is in itself, as files name them in every language.
+inline constexpr const char *kOuterSurface = "the outer surface", *kCavities = "the cavities";
+
 struct MeasureQuestion {
   std::vector<MeasuredSurface> surfaces;
   Volume volume;

@@ -1,8 +1,10 @@
 #include "ui/window/measures/measure_texts.h"
 
 #include <QLocale>
+#include <algorithm>
 #include <numeric>
 
+#include "ui/model/measuring.h"
 #include "ui/model/translate.h"
 #include "ui/view/length_decimals.h"
 #include "ui/window/widgets/numbers.h"
@@ -28,9 +30,28 @@ QString gapText(const MeasuredGap& gap) {
   return gap.gap.contact == BodyContact::inside ? tr("%1, one within the other").arg(text) : text;
 }
 
-QString wallText(const std::string& name, const DirectedDistances& d) {
+//! An object may be called "1.5".
+bool holdsNames(const QString& header) {
+  return header.endsWith(QStringLiteral("object")) || header == QStringLiteral("wall_first") ||
+         header == QStringLiteral("wall_second");
+}
+
+bool isPlainNumber(const QString& cell) {
+  bool is = false;
+  QLocale::c().toDouble(cell, &is);
+  return is;
+}
+
+//! What files call them in English where the surface is a wall in itself.
+QString wallSurface(const MeasuredWall& wall, bool isFirst) {
+  if (wall.first == kOuterSurface && wall.second == kCavities)
+    return isFirst ? tr("the outer surface") : tr("the cavities");
+  return nameOf(isFirst ? wall.first : wall.second);
+}
+
+QString wallText(const QString& name, const DirectedDistances& d) {
   return tr("  from %1: mean %2, least %3, 95 % up to %4, largest %5")
-      .arg(nameOf(name), millimetres(d.mean), millimetres(d.smallest), millimetres(d.percentile95),
+      .arg(name, millimetres(d.mean), millimetres(d.smallest), millimetres(d.percentile95),
            millimetres(d.largest));
 }
 
@@ -77,8 +98,21 @@ QString measureDetails(const Measured& m, const MeasuredObject& o, const Grid& g
     if (const std::string* other = otherOf(gap, o))
       lines << tr("Distance to “%1”: %2").arg(nameOf(*other), gapText(gap));
   if (m.wall)
-    lines << tr("Wall thickness") << wallText(m.wall->first, m.wall->wall.fromFirst)
-          << wallText(m.wall->second, m.wall->wall.fromSecond);
+    lines << tr("Wall thickness") << wallText(wallSurface(*m.wall, true), m.wall->wall.fromFirst)
+          << wallText(wallSurface(*m.wall, false), m.wall->wall.fromSecond);
+  return lines.join(QLatin1Char('\n'));
+}
+
+QString columnsForSpreadsheet(const QString& columns) {
+  QStringList lines = columns.split(QLatin1Char('\n'));
+  const QStringList headers = lines.front().split(QLatin1Char('\t'));
+  for (QString& line : lines) {
+    QStringList cells = line.split(QLatin1Char('\t'));
+    for (qsizetype i = 0; i < std::min(cells.size(), headers.size()); ++i)
+      if (!holdsNames(headers[i]) && isPlainNumber(cells[i]))
+        cells[i].replace(QLatin1Char('.'), QLocale().decimalPoint());
+    line = cells.join(QLatin1Char('\t'));
+  }
   return lines.join(QLatin1Char('\n'));
 }
 

@@ -14,6 +14,9 @@ QStringList measureCells(const Measured& measured, const MeasuredObject& object)
 QString measureDetails(const Measured& measured, const MeasuredObject& object, const Grid& grid);
 //! Length, and the least and the largest section of a centre line.
 QString lineSummary(const MeasuredLine& line);
+//! Columns of a table (measuredColumns, with tabs) as a spreadsheet of the user's locale reads them: numbers
+//! with its decimal point, without groups. Names stay.
+QString columnsForSpreadsheet(const QString& columns);
 //! Of a point of a centre line.
 QString sectionText(const CentreLinePoint& point);
 

@@ -285,7 +285,7 @@ std::string ObjectMeasuresPage::csv() const { return measuredCsv(told()); }
 std::string ObjectMeasuresPage::json() const { return measuredJson(told()); }
 
 QString ObjectMeasuresPage::copyText() const {
-  return shown_ ? QString::fromStdString(measuredColumns(told(), '\t')) : QString();
+  return shown_ ? columnsForSpreadsheet(QString::fromStdString(measuredColumns(told(), '\t'))) : QString();
 }
 
 }  // namespace handlebody::ui
