@@ -70,6 +70,7 @@ class WindowTest : public QObject {
   void keysStayWithTheControlThatUsesThem();
   void aViewFillsTheWindowAndGoesBack();
   void theLayoutIsRemembered();
+  void aPictureOfAllViewsShowsAllWhileOneIsMaximised();
 };
 
 void WindowTest::aClickAndReturnPlaceASeedAndSpaceGrowsItIntoARing() {
@@ -439,6 +440,27 @@ void WindowTest::theLayoutIsRemembered() {
   QVERIFY(again.views().maximised() == ui::Cell::sagittal);
   QVERIFY(again.commands()[Command::coloursDark]->isChecked());
   again.setAppearance(ui::Appearance::light);
+}
+
+void WindowTest::aPictureOfAllViewsShowsAllWhileOneIsMaximised() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  ui::ViewGrid& views = window->views();
+  QVERIFY(open(*window, sample("cyst.nii.gz")));
+  QTRY_VERIFY(views.slice(ui::Plane::coronal).isVisible());
+  const QImage all = views.picture(std::nullopt);
+  views.maximise(ui::Cell::sagittal);
+  QTRY_VERIFY(!views.slice(ui::Plane::coronal).isVisible());
+  const QSize large = views.slice(ui::Plane::sagittal).size();
+  const QImage sagittal = views.picture(ui::Cell::sagittal);
+  const QImage again = views.picture(std::nullopt);
+  QCOMPARE(again.size(), all.size());
+  const QRect upperLeft(QPoint(8, 8), all.size() / 4);  // of the axial slice, with its name
+  QCOMPARE(again.copy(upperLeft), all.copy(upperLeft));
+  QVERIFY(views.maximised() == ui::Cell::sagittal);
+  QCOMPARE(views.slice(ui::Plane::sagittal).size(), large);
+  QCOMPARE(views.picture(ui::Cell::sagittal), sagittal);
+  QVERIFY(!views.slice(ui::Plane::coronal).isVisible());
 }
 
 int main(int argc, char** argv) {

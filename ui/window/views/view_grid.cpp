@@ -107,8 +107,22 @@ void ViewGrid::resetViews() {
   surface_->resetCamera();
 }
 
+//! Also while one of them fills the grid.
+QImage ViewGrid::pictureOfAll() {
+  const auto arrangeFor = [this](std::optional<Cell> cell) {
+    maximised_ = cell;
+    arrange();
+    for (QSplitter* splitter : {rows_, top_, bottom_}) splitter->refresh();  // now, not with the next events
+  };
+  const std::optional<Cell> before = maximised_;
+  if (before) arrangeFor(std::nullopt);
+  const QImage image = grab().toImage();
+  if (before) arrangeFor(before);
+  return image;
+}
+
 QImage ViewGrid::picture(std::optional<Cell> cell) const {
-  if (!cell) return const_cast<ViewGrid*>(this)->grab().toImage();
+  if (!cell) return const_cast<ViewGrid*>(this)->pictureOfAll();
   switch (*cell) {
     case Cell::surface:
       return surface_->picture();
