@@ -20,7 +20,9 @@ QColor colourOf(const Document& document, int object) {
 }
 
 QColor activeColour(const Document& document, const QColor& alone) {
-  return document.objectCount() > 1 ? colourOf(document, document.activeObject()) : alone;
+  const int active = document.activeObject();
+  const bool isChosen = document.objectInfo(active).label.colour != ObjectLabel{}.colour;
+  return document.objectCount() > 1 || isChosen ? colourOf(document, active) : alone;
 }
 
 bool isActiveVisible(const Document& document) {

@@ -16,7 +16,8 @@ class Document;
 struct MeshSnapshot;
 
 QColor colourOf(const Document& document, int object);
-//! Of the active object's outline and surface; `alone` where there is no other.
+//! Of the active object's outline and surface; `alone` where there is no other and it has the colour that an
+//! object has at first.
 QColor activeColour(const Document& document, const QColor& alone);
 bool isActiveVisible(const Document& document);
 //! A line over a darker and wider one, seen on any ground.

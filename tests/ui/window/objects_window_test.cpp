@@ -50,6 +50,7 @@ class ObjectsWindowTest : public QObject {
   void theListIsDrivenByMouseAndKeys();
   void theTableOfEventsIsThatOfTheActiveObject();
   void propertiesAreChangedInADialog();
+  void theChosenColourOfASingleObjectIsThatOfItsOutline();
   void aTermOfAFileStandsFirstUntilAnotherIsChosen();
   void propertiesFollowTheirObjectInTheList();
   void propertiesOfAnObjectThatIsGoneAreClosed();
@@ -178,6 +179,24 @@ void ObjectsWindowTest::propertiesAreChangedInADialog() {
   QCOMPARE(label.value, 2);
   QCOMPARE(tableOf(*window)->item(1, 0)->text(), QString("Liver"));
   QCOMPARE(window->document().undoStack()->undoText(), QString("Change object"));
+}
+
+void ObjectsWindowTest::theChosenColourOfASingleObjectIsThatOfItsOutline() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  ui::Document& document = window->document();
+  window->viewState().setCrosshair(kLeft);
+  QTest::keyClick(window.get(), Qt::Key_Return);
+  QTest::keyClick(window.get(), Qt::Key_Space);
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  const QColor chosen(204, 0, 204);  // nothing else is
+  ui::SliceView& slice = window->views().slice(ui::Plane::axial);
+  QVERIFY(!hasColour(slice.picture(), chosen));
+  ObjectLabel label = document.objectInfo(0).label;
+  label.colour = {204, 0, 204};
+  document.setObjectLabel(0, label, QStringLiteral("Change object"));
+  QVERIFY(hasColour(slice.picture(), chosen));
 }
 
 void ObjectsWindowTest::aTermOfAFileStandsFirstUntilAnotherIsChosen() {
