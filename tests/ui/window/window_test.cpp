@@ -17,6 +17,7 @@
 #include "tests/ui/window/window_support.h"
 #include "ui/window/commands.h"
 #include "ui/window/steps_panel.h"
+#include "ui/window/widgets/decimal_field.h"
 #include "ui/window/widgets/language.h"
 
 using namespace handlebody;
@@ -70,6 +71,7 @@ class WindowTest : public QObject {
   void keysStayWithTheControlThatUsesThem();
   void aViewFillsTheWindowAndGoesBack();
   void theLayoutIsRemembered();
+  void everyFieldWithDecimalsTakesBothPoints();
   void aPictureOfAllViewsShowsAllWhileOneIsMaximised();
 };
 
@@ -440,6 +442,16 @@ void WindowTest::theLayoutIsRemembered() {
   QVERIFY(again.views().maximised() == ui::Cell::sagittal);
   QVERIFY(again.commands()[Command::coloursDark]->isChecked());
   again.setAppearance(ui::Appearance::light);
+}
+
+//! tests/ui/window/decimal_field_test.cpp: what that means.
+void WindowTest::everyFieldWithDecimalsTakesBothPoints() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  const auto fields = window->findChildren<QDoubleSpinBox*>();
+  QVERIFY(!fields.isEmpty());
+  for (QDoubleSpinBox* field : fields)
+    QVERIFY2(dynamic_cast<ui::DecimalField*>(field), qPrintable(field->accessibleName()));
 }
 
 void WindowTest::aPictureOfAllViewsShowsAllWhileOneIsMaximised() {
