@@ -1,9 +1,6 @@
-// What the Document writes: meshes, label maps, reports, sessions, the journal.
+// What the Document writes: meshes, label maps, reports.
 
 #include <QFile>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <algorithm>
 #include <chrono>
 #include <numeric>
@@ -26,18 +23,6 @@
 namespace handlebody::ui {
 
 namespace {
-
-//! Does `job`; its error as a sentence, or nothing.
-template <typename Job>
-QString sentenceOf(Job&& job) try {
-  job();
-  return {};
-} catch (...) {
-  return errorSentence();
-}
-
-const QString kObjectsKey = QStringLiteral("objects"), kActiveKey = QStringLiteral("activeObject"),
-              kVisibleKey = QStringLiteral("visible"), kLockedKey = QStringLiteral("locked");
 
 //! What takes time: measures, and warnings.
 RunReport completed(PendingReport pending, const WrittenMesh& mesh, const Volume& volume) {
@@ -81,61 +66,7 @@ std::string textOf(const std::vector<RunReport>& reports, const std::vector<Writ
   return reportText(reports, sum, gapsOf(meshes));
 }
 
-//! On the files' thread: the hash is there, or worked out now. Throws InputError.
-void complete(Session& session, std::string& hash) {
-  if (hash.empty()) hash = sha256OfPath(session.volume.path);
-  session.volume.sha256 = hash;
-}
-
 }  // namespace
-
-std::vector<Session> Document::Private::sessions() const {
-  std::vector<Session> all;
-  const auto grown = corrected.isOpen() ? std::vector{corrected.home()} : objects.all();
-  for (const auto& object : grown) {
-    all.push_back(object->session());
-    all.back().version = HANDLEBODY_VERSION;
-    all.back().volume = work->reference;
-    all.back().polish = output.polishes;
-    all.back().space = output.space;
-  }
-  all.front().view = viewWithObjects(view).toStdString();
-  all.front().measurements = measurements.all();
-  if (all.size() == 1 && time.isAsked()) {  // several are not carried
-    all.front().overTime = time.request();
-    all.front().overTime->corrections = corrections();
-  }
-  return all;
-}
-
-//! What a session of the command line has no place for stands among what the window keeps for itself.
-QByteArray Document::Private::viewWithObjects(const QByteArray& window) const {
-  QJsonObject json = QJsonDocument::fromJson(window).object();
-  const bool isPlain = objects.size() == 1 && active().traits.visible && !active().traits.locked;
-  if (isPlain && !json.contains(kObjectsKey)) return window;
-  json.remove(kObjectsKey);
-  json.remove(kActiveKey);
-  if (isPlain) return json.isEmpty() ? QByteArray() : QJsonDocument(json).toJson(QJsonDocument::Compact);
-  QJsonArray rows;
-  for (const auto& object : objects)
-    rows.append(QJsonObject{{kVisibleKey, object->traits.visible}, {kLockedKey, object->traits.locked}});
-  json[kObjectsKey] = rows;
-  json[kActiveKey] = objects.indexOf(active());
-  return QJsonDocument(json).toJson(QJsonDocument::Compact);
-}
-
-// A session may come from anywhere: what makes no sense is left as it is.
-void Document::Private::readView() {
-  const QJsonObject json = QJsonDocument::fromJson(view).object();
-  const QJsonArray rows = json[kObjectsKey].toArray();
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const QJsonObject row = rows[static_cast<qsizetype>(i)].toObject();
-    objects[i]->traits.visible = row[kVisibleKey].toBool(true);
-    objects[i]->traits.locked = row[kLockedKey].toBool(false);
-  }
-  const int index = json[kActiveKey].toInt(0);
-  if (index >= 0 && index < static_cast<int>(objects.size())) objects.activate(objects[index]);
-}
 
 // --- results ---
 
@@ -182,7 +113,7 @@ void Document::exportEachObject(const QString& path, const QString& extension, C
 
 QString Document::exportFault(const QString& extension) const {
   if (!hasVolume()) return {};
-  return sentenceOf([&] {
+  return whyNot([&] {
     // It begins with the path, which is none here.
     try {
       checkResult("x" + extension.toStdString(), {volume().grid, {}, info().dicom, {}});
@@ -259,7 +190,7 @@ void Document::Private::write(const QString& path, std::function<QString()> job)
   files.post([this, path, stop = exporting.begin(), job = std::move(job)] {
     bool gaveUp = false;
     QString told;
-    const QString failed = sentenceOf([&] {
+    const QString failed = whyNot([&] {
       try {
         const CancelScope scope(*stop);
         told = job();
@@ -399,102 +330,5 @@ void Document::Private::exportReport(const QString& path, const std::vector<Pend
     return polishTexts(told, meshes);
   });
 }
-
-// --- session ---
-
-QString Document::sessionFault() const {
-  if (!hasVolume()) return tr("There is nothing to save yet: open a volume first.");
-  if (!d_->objects.isSeeded()) return tr("A session needs a seed: place one inside the object first.");
-  return {};
-}
-
-void Document::saveSession(const QString& path) {
-  if (const QString fault = sessionFault(); !fault.isEmpty())
-    Q_EMIT saveFailed(fault);
-  else
-    d_->saveSession(path);
-}
-
-void Document::exportAnonymousSession(const QString& path) {
-  if (const QString fault = sessionFault(); !fault.isEmpty())
-    Q_EMIT exportRefused(fault);
-  else
-    d_->exportAnonymousSession(path);
-}
-
-void Document::Private::exportAnonymousSession(const QString& path) {
-  // Which objects are shown and locked names nobody; what the window keeps may have come with a file.
-  write(path, [path, made = sessions(), known = hash, own = viewWithObjects({}).toStdString(),
-               volume = corrected.grownVolume(work->volume)]() mutable {
-    for (Session& session : made) complete(session, *known);
-    keepVoxels(made.front().volume, volume);  // the others have the same
-    hideFileNames(made);
-    for (Session& session : made) session = anonymous(std::move(session));
-    made.front().view = own;
-    writeSessions(made, fileName(path));
-    return QString();
-  });
-}
-
-void Document::Private::saveSession(const QString& path) {
-  if (const QString fault = inputFault(path); !fault.isEmpty()) {
-    Q_EMIT q.saveFailed(fault);
-    return;
-  }
-  std::vector<int> iterations;
-  for (const auto& object : objects) iterations.push_back(object->growth().iteration());
-  files.post([this, path, made = sessions(), known = hash, edit = edits, iterations]() mutable {
-    const QString failed = sentenceOf([&] {
-      for (Session& session : made) complete(session, *known);
-      writeSessions(made, fileName(path));
-    });
-    QMetaObject::invokeMethod(
-        &q,
-        [this, path, failed, edit, iterations, known] {
-          if (!failed.isEmpty()) {
-            Q_EMIT q.saveFailed(failed);
-            return;
-          }
-          if (known == hash) saved(path, edit, iterations);  // else other work is open by now
-          Q_EMIT q.sessionSaved(path);
-        },
-        Qt::QueuedConnection);
-  });
-}
-
-void Document::Private::saved(const QString& path, int edit, const std::vector<int>& iterations) {
-  sessionPath = path;
-  if (objects.size() == iterations.size())  // else one was added or deleted meanwhile, which is not saved
-    for (std::size_t i = 0; i < iterations.size(); ++i) objects[i]->setSavedIteration(iterations[i]);
-  if (edit == edits)
-    undo.setClean();
-  else
-    undo.resetClean();  // what was clean before is not in the file either
-  updateModified();
-}
-
-QString Document::sessionPath() const { return d_->sessionPath; }
-
-QStringList Document::notReplayed() const {
-  QStringList names;
-  if (objectCount() < 2) return names;
-  for (const auto& object : d_->objects) {
-    const bool isAsShown = object->growth().exists() && !object->isOutOfDate() && names.isEmpty();
-    if (object->isSeeded() && !object->isReplaying() && !isAsShown)
-      names.append(QString::fromStdString(object->traits.label.name));
-  }
-  return names;
-}
-
-void Document::Private::journalNow() {
-  const bool isWorthIt = objects.size() > 1 || active().isSeeded();
-  if (work && isWorthIt && objects.isSeeded())
-    journal.write(sessions());
-  else
-    journal.clear();
-}
-
-QStringList Document::recoverable() { return Journal::recoverable(); }
-void Document::discardRecoverable(const QString& path) { Journal::discard(path); }
 
 }  // namespace handlebody::ui

@@ -29,6 +29,9 @@ struct PendingReport {
   WrittenObject object;
 };
 
+//! On the files' thread: the hash is there, or worked out now. Throws InputError.
+void complete(Session& session, std::string& hash);
+
 //! How any object is grown, one that is added later, too.
 struct GrowthChoices {
   int stepsPerFrame = 1;

@@ -41,15 +41,6 @@ constexpr int kBeforeProgress = 400;  // ms: what is quicker shows none
 const QString kRecent = QStringLiteral("recent");
 const QString kFolder = QStringLiteral("folder");
 
-//! Why it failed, as a sentence; empty: it did not.
-template <typename Job>
-QString whyNot(Job&& job) try {
-  job();
-  return {};
-} catch (...) {
-  return errorSentence();
-}
-
 QString volumeFilter() {
   return FileWork::tr(
       "Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm "
