@@ -169,13 +169,15 @@ class Document : public QObject {
   std::vector<std::string> anonymousNames() const;
   //! No undo entry; what grows goes on. Undoing a change of another object makes that active.
   void setActiveObject(int index);
-  //! Behind the others, and active. Name, colour and label value are such as no other has.
+  //! Behind the others, and active. Name, colour and label value are such as no other has. This one and all
+  //! that adds objects: refused() where there is work over time, which no session keeps with several objects.
   void addObject();
   //! What is in a mesh (isMeshInputPath), or what is chosen of a label map of any format, as
   //! objects, in one undo entry: those that are done before the first object that has no surface yet, so that
   //! they are walls for it; else behind the others, the first of them active. Read and made on a worker
   //! thread: openingObjects(), then objectsOpened(), openingObjectsFailed() or openingObjectsCancelled().
-  //! While a frame is corrected openingObjectsFailed() at once. Nothing without a volume.
+  //! While a frame is corrected, and where there is work over time, openingObjectsFailed() at once. Nothing
+  //! without a volume.
   void openObjects(const ObjectsToOpen& asked);
   void cancelOpeningObjects();
   //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes, pins
@@ -299,7 +301,7 @@ class Document : public QObject {
   std::optional<int> correctedFrame() const;  //!< that is being corrected
   //! Back to the grown frame. `keeps`: the correction counts, and the frames beyond it are carried again.
   void endCorrection(bool keeps);
-  //! As an entry of the undo list.
+  //! As an entry of the undo list; refused() where there are several objects.
   void setOverTime(const OverTimeRequest& request, const QString& undoText, int gesture = -1);
   //! The surfaces of all frames, as numbered meshes or a 4D label map by extension; polished, told and
   //! cancelled as exportResult(): all of them are written, or nothing.
@@ -381,6 +383,8 @@ class Document : public QObject {
   //! Objects whose shown surface a replay does not make: of several, those with seeds that are not grown yet
   //! or are made with earlier ones, and those after them.
   QStringList notReplayed() const;
+  //! What of the open work no session holds, as a sentence; empty: all is in it.
+  QString leftOut() const;
   QString sessionPath() const;  //!< where to save again; empty: nowhere yet, or it is an anonymous one
   bool isModified() const;      //!< since the session was saved or opened
 

@@ -139,6 +139,8 @@ std::vector<FrameCorrection> Document::Private::corrections() const {
   return all;
 }
 
+bool Document::Private::hasOverTime() const { return time.isAsked() || !corrections().empty(); }
+
 void Document::endCorrection(bool keeps) {
   if (!d_->corrected.isOpen()) return;
   const int frame = d_->time.workFrame();

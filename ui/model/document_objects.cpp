@@ -154,9 +154,18 @@ QString Document::Private::listFault() const {
   return corrected.isOpen() ? tr("A frame is being corrected: end that first.") : QString();
 }
 
+QString Document::Private::addFault() const {
+  if (const QString fault = listFault(); !fault.isEmpty() || objects.size() > 1 || !hasOverTime())
+    return fault;
+  return tr(
+      "A session keeps work over time of one object only: save this one, then open the volume anew to have "
+      "several objects.");
+}
+
 void Document::Private::pushList(const QString& text, ObjectList after, int gesture) {
   if (after.entries == objects.list().entries) return;
-  if (const QString fault = listFault(); !fault.isEmpty()) {
+  const bool isMore = after.entries.size() > objects.size();
+  if (const QString fault = isMore ? addFault() : listFault(); !fault.isEmpty()) {
     Q_EMIT q.refused(fault);
     Q_EMIT q.objectsChanged();  // fields show again what holds
     return;
@@ -196,6 +205,7 @@ void Document::Private::applyList(const ObjectList& after) {
   for (const auto& object : all) object->wallsChanged();
   journalNow();
   updateModified();
+  if (const QString lost = q.leftOut(); before.size() < now.size() && !lost.isEmpty()) Q_EMIT q.refused(lost);
 }
 
 void Document::addObject() {

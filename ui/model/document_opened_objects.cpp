@@ -13,7 +13,7 @@ namespace handlebody::ui {
 
 void Document::openObjects(const ObjectsToOpen& asked) {
   if (!hasVolume()) return;
-  if (const QString fault = d_->listFault(); !fault.isEmpty()) return Q_EMIT openingObjectsFailed(fault);
+  if (const QString fault = d_->addFault(); !fault.isEmpty()) return Q_EMIT openingObjectsFailed(fault);
   cancelOpeningObjects();
   const StopFlag flag = d_->openingObjects.begin();
   Q_EMIT openingObjects(asked.path);
@@ -32,7 +32,7 @@ void Document::openObjects(const ObjectsToOpen& asked) {
         [this, asked, opened, failed, stop, known] {
           if (*stop || known != d_->hash)  // they were meant for what was open
             Q_EMIT openingObjectsCancelled();
-          else if (const QString fault = failed.isEmpty() ? d_->listFault() : failed; !fault.isEmpty())
+          else if (const QString fault = failed.isEmpty() ? d_->addFault() : failed; !fault.isEmpty())
             Q_EMIT openingObjectsFailed(fault);
           else
             d_->addOpened(asked, *opened);

@@ -89,6 +89,8 @@ class Document::Private : public ObjectHost {
   void tellAll();
   //! Why no object can be added or changed in the list now, as a sentence; empty: it can.
   QString listFault() const;
+  //! Why no further object can be added now, as a sentence; empty: it can.
+  QString addFault() const;
   void pushList(const QString& text, ObjectList after, int gesture = -1);
   void applyList(const ObjectList& after);
   void pokeAfter(const ObjectWork& object);
@@ -117,6 +119,8 @@ class Document::Private : public ObjectHost {
     return corrected.isOpen() ? corrected.home() : objects.active();
   }
   std::vector<FrameCorrection> corrections() const;
+  //! A session has to keep it: what was asked for, or corrected by hand.
+  bool hasOverTime() const;
   void carryAfterReplay();
   OverTimeReport overTimeReport() const;
   void exportFrames(const QString& path, CoordinateSpace space);

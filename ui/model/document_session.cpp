@@ -38,7 +38,7 @@ std::vector<Session> Document::Private::sessions() const {
   }
   all.front().view = viewWithObjects(view).toStdString();
   all.front().measurements = measurements.all();
-  if (all.size() == 1 && time.isAsked()) {  // several are not carried
+  if (all.size() == 1 && hasOverTime()) {  // several are not carried (addFault)
     all.front().overTime = time.request();
     all.front().overTime->corrections = corrections();
   }
@@ -148,6 +148,12 @@ void Document::Private::saved(const QString& path, int edit, const std::vector<i
 }
 
 QString Document::sessionPath() const { return d_->sessionPath; }
+
+//! No object can be added then, but undo brings one back that was there before.
+QString Document::leftOut() const {
+  if (objectCount() < 2 || !d_->hasOverTime()) return {};
+  return tr("Work over time is left out while there are several objects: delete all but one to keep it.");
+}
 
 QStringList Document::notReplayed() const {
   QStringList names;

@@ -51,7 +51,7 @@ class OverTimeCommand : public QUndoCommand {
   //! Corrected frames stay as they are: they are no part of what is undone.
   void put(OverTimeRequest request, bool isAsked) {
     request.corrections = time_.request().corrections;
-    time_.setRequest(request, isAsked);
+    time_.setRequest(request, isAsked || !request.corrections.empty());
   }
 
   TimeSeries& time_;
@@ -59,6 +59,10 @@ class OverTimeCommand : public QUndoCommand {
   bool wasAsked_;
   int gesture_;
 };
+
+QString severalFault() {
+  return Document::tr("Several objects are not carried over time: open the volume with one of them.");
+}
 
 }  // namespace
 
@@ -139,8 +143,7 @@ void Document::growInShownFrame() {
 QString Document::carryFault() const {
   if (!hasVolume() || !d_->time.hasTime()) return tr("The volume has one time point only.");
   if (correctedFrame()) return tr("Frame %1 is being corrected: end that first.").arg(*correctedFrame());
-  if (objectCount() > 1)
-    return tr("Several objects are not carried over time: open the volume with one of them.");
+  if (objectCount() > 1) return severalFault();
   if (constraints().start)
     return tr("A surface that comes from a file is not carried over time: grow one from a click.");
   if (d_->active().isBusy()) return tr("The surface still grows: wait until it is at rest.");
@@ -201,6 +204,11 @@ void Document::Private::carryAfterReplay() {
 
 void Document::setOverTime(const OverTimeRequest& request, const QString& undoText, int gesture) {
   if (request == d_->time.request() && d_->time.isAsked()) return;
+  if (objectCount() > 1) {
+    Q_EMIT refused(severalFault());
+    Q_EMIT d_->time.requestChanged();  // fields show again what holds
+    return;
+  }
   d_->undo.push(new OverTimeCommand(undoText, d_->time, request, gesture));
 }
 

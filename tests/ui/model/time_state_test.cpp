@@ -1,5 +1,7 @@
 // What was carried through the frames and what was corrected there, when something else changes.
 
+#include <functional>
+
 #include "core/io/report/session.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/sequence/beating_support.h"
@@ -112,12 +114,79 @@ TEST_CASE("what was carried of one object is not shown as another's", "[document
   const BeatingFile heart;
   Document document;
   REQUIRE(carryFrom(document, heart));
+  document.undoStack()->undo();  // what was asked for over time
   document.addObject();
   document.removeObject(0);
   REQUIRE(document.objectCount() == 1);
   REQUIRE(showFrame(document, 3));
   CHECK(document.snapshot() == nullptr);
   CHECK(document.finishedMesh(0) == nullptr);
+}
+
+namespace {
+
+QByteArray savedSession(Document& document, const BeatingFile& heart) {
+  const QString path = heart.file("kept.json");
+  bool isSaved = false;
+  const auto done = QObject::connect(&document, &Document::sessionSaved, [&] { isSaved = true; });
+  document.saveSession(path);
+  const bool ended = waitFor([&] { return isSaved; });
+  QObject::disconnect(done);
+  return ended ? bytesOf(path) : QByteArray();
+}
+
+}  // namespace
+
+TEST_CASE("no object is added to work over time, which no session keeps with several, and it says why",
+          "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  QString refused;
+  QObject::connect(&document, &Document::refused, [&](const QString& why) { refused = why; });
+  QObject::connect(&document, &Document::openingObjectsFailed, [&](const QString& why) { refused = why; });
+  REQUIRE(carryFrom(document, heart));
+  const auto isRefused = [&](const std::function<void()>& door) {
+    refused.clear();
+    door();
+    return document.objectCount() == 1 && refused.contains("over time of one object");
+  };
+  CHECK(isRefused([&] { document.addObject(); }));
+  CHECK(isRefused([&] { document.duplicateObject(0); }));
+  CHECK(isRefused([&] { document.openObjects({heart.file("surface.stl"), OpenAs::done}); }));
+  CHECK(document.leftOut().isEmpty());
+  CHECK(savedSession(document, heart).contains("over_time"));
+  document.undoStack()->undo();
+  document.addObject();
+  CHECK(document.objectCount() == 2);
+  refused.clear();
+  document.setOverTime({}, QStringLiteral("Over time"));
+  CHECK(refused.contains("Several objects"));
+  CHECK_FALSE(document.time().isAsked());
+}
+
+TEST_CASE("work over time beside an object that undo brings back is told to be left out until that goes",
+          "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  QString refused;
+  QObject::connect(&document, &Document::refused, [&](const QString& why) { refused = why; });
+  REQUIRE(growInFrame(document, heart));
+  document.addObject();
+  document.removeObject(1);
+  REQUIRE(carryAll(document));
+  REQUIRE(startCorrecting(document, 3));
+  REQUIRE(keepCorrection(document));
+  document.undoStack()->undo();  // over time, but for what was corrected
+  CHECK(savedSession(document, heart).contains("over_time"));
+  CHECK(refused.isEmpty());
+  document.undoStack()->undo();  // the deletion
+  REQUIRE(document.objectCount() == 2);
+  CHECK(refused.contains("left out"));
+  CHECK(document.leftOut() == refused);
+  CHECK_FALSE(savedSession(document, heart).contains("over_time"));
+  document.removeObject(1);
+  CHECK(document.leftOut().isEmpty());
+  CHECK(savedSession(document, heart).contains("over_time"));
 }
 
 TEST_CASE("a carried surface that is out of date is shown, but neither measured nor written",

@@ -147,9 +147,12 @@ void FileWork::connectMessages() {
   connect(&document_, &Document::exportCancelled, this, [this] { afterWriting(true); });
   connect(&document_, &Document::sessionSaved, this, [this, said](const QString& path) {
     const QStringList anew = document_.notReplayed();
-    said(tr("The session is saved as %1.").arg(path) +
-         (anew.isEmpty() ? QString()
-                         : QLatin1Char(' ') + tr("A replay grows anew: %1.").arg(anew.join(tr(", ")))));
+    const QString saved =
+        tr("The session is saved as %1.").arg(path) +
+        (anew.isEmpty() ? QString()
+                        : QLatin1Char(' ') + tr("A replay grows anew: %1.").arg(anew.join(tr(", "))));
+    const QString lost = document_.leftOut();
+    lost.isEmpty() ? said(saved) : messages_.show(MessageBar::Kind::warning, saved + QLatin1Char(' ') + lost);
     remember(path);
     saving_ = false;
     afterSaved();
