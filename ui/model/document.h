@@ -349,6 +349,9 @@ class Document : public QObject {
   std::shared_ptr<const FinishedMesh> finishedMesh(int index) const;
   //! Why no file of this ending (".msh") can be made of the open volume, as a sentence; empty: it can.
   QString exportFault(const QString& extension) const;
+  //! Why no file may be written there, as a sentence: it is one that the open work is read from, or would be
+  //! a part of its volume. Empty: it may. All that is written below is refused so; whoever else writes asks.
+  QString outputFault(const QString& path) const;
   //! Thin triangles of what is written are bettered (core/polish), in files and report alike. True at first,
   //! as on the command line; a session keeps it.
   bool polishes() const;

@@ -174,19 +174,28 @@ std::vector<WrittenObject> Document::Private::writtenObjects(const std::vector<i
   return all;
 }
 
-//! Why a file may not be written there: it would change the volume that is open. Empty: it may.
-QString Document::Private::inputFault(const QString& path) const {
-  if (!belongsToVolume(fileName(path), work->reference.path)) return {};
-  return tr("%1 cannot be written: it would be a part of the volume that is open. Choose another folder or "
-            "name.")
-      .arg(path);
+QString Document::outputFault(const QString& path) const {
+  if (!hasVolume()) return {};
+  const std::string file = fileName(path);
+  if (belongsToVolume(file, d_->work->reference.path))
+    return tr("%1 cannot be written: it would be a part of the volume that is open. Choose another folder or "
+              "name.")
+        .arg(path);
+  for (const Session& session : d_->sessions())
+    for (const std::string& input : inputsOf(session))
+      if (!input.empty() && belongsToVolume(file, input))
+        return tr("%1 cannot be written: the open work is read from it. Choose another folder or name.")
+            .arg(path);
+  return {};
 }
 
 void Document::Private::write(const QString& path, std::function<QString()> job) {
-  if (const QString fault = inputFault(path); !fault.isEmpty()) {
-    Q_EMIT q.exportRefused(fault);
-    return;
-  }
+  write(path, {path}, std::move(job));
+}
+
+void Document::Private::write(const QString& path, const QStringList& all, std::function<QString()> job) {
+  for (const QString& file : all)
+    if (const QString fault = q.outputFault(file); !fault.isEmpty()) return Q_EMIT q.exportRefused(fault);
   files.post([this, path, stop = exporting.begin(), job = std::move(job)] {
     bool gaveUp = false;
     QString told;
@@ -215,7 +224,7 @@ void Document::Private::write(const QString& path, std::function<QString()> job)
 
 void Document::Private::exportFiles(const QString& path, CoordinateSpace coordinates,
                                     const DicomContent& content, const std::vector<int>& which) {
-  exportAs(path, coordinates, content, which, [path](const auto& made, const ExportContext& context) {
+  exportAs(path, {path}, coordinates, content, which, [path](const auto& made, const ExportContext& context) {
     writeResults(made, context, {fileName(path)});
   });
 }
@@ -225,12 +234,13 @@ void Document::Private::exportEach(const QString& path, const QString& extension
   std::vector<int> all(objects.size());
   std::iota(all.begin(), all.end(), 0);
   const QString told = path.chopped(extension.size()) + QStringLiteral("_*") + extension;
-  exportAs(
-      told, coordinates, content, all, [path, extension](const auto& made, const ExportContext& context) {
-        std::vector<std::string> names;
-        for (const ExportedObject& object : made) names.push_back(object.label.name);
-        writeEachResult(made, context, handlebody::objectPaths(fileName(path), fileName(extension), names));
-      });
+  exportAs(told, q.objectPaths(path, extension, content.anonymous), coordinates, content, all,
+           [path, extension](const auto& made, const ExportContext& context) {
+             std::vector<std::string> names;
+             for (const ExportedObject& object : made) names.push_back(object.label.name);
+             writeEachResult(made, context,
+                             handlebody::objectPaths(fileName(path), fileName(extension), names));
+           });
 }
 
 std::vector<std::string> Document::Private::namesInFiles(bool isAnonymous) const {
@@ -240,26 +250,27 @@ std::vector<std::string> Document::Private::namesInFiles(bool isAnonymous) const
   return names;
 }
 
-void Document::Private::exportAs(const QString& told, CoordinateSpace coordinates,
+void Document::Private::exportAs(const QString& told, const QStringList& paths, CoordinateSpace coordinates,
                                  const DicomContent& content, const std::vector<int>& which,
                                  WriteObjects writeThem) {
   output.space = coordinates;
-  write(told, [this, betters = output.polishes, toWrite = writtenObjects(which, content.anonymous),
-               context = ExportContext{work->volume.grid, coordinates, time.store().origin(time.shownFrame()),
-                                       content},
-               writeThem = std::move(writeThem)] {
-    const auto meshes = writtenMeshes(toWrite, context.grid, betters, polishing());
-    requireApart(toWrite, meshes);
-    std::vector<ExportedObject> made;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-      if (!toWrite[i].isWanted) continue;
-      made.push_back({toWrite[i].label, meshes[i].made.mesh});
-      made.back().label.name = toWrite[i].nameInFiles;
-    }
-    giveUpIfCancelled();
-    writeThem(made, context);
-    return polishTexts(toWrite, meshes);
-  });
+  write(told, paths,
+        [this, betters = output.polishes, toWrite = writtenObjects(which, content.anonymous),
+         context =
+             ExportContext{work->volume.grid, coordinates, time.store().origin(time.shownFrame()), content},
+         writeThem = std::move(writeThem)] {
+          const auto meshes = writtenMeshes(toWrite, context.grid, betters, polishing());
+          requireApart(toWrite, meshes);
+          std::vector<ExportedObject> made;
+          for (std::size_t i = 0; i < meshes.size(); ++i) {
+            if (!toWrite[i].isWanted) continue;
+            made.push_back({toWrite[i].label, meshes[i].made.mesh});
+            made.back().label.name = toWrite[i].nameInFiles;
+          }
+          giveUpIfCancelled();
+          writeThem(made, context);
+          return polishTexts(toWrite, meshes);
+        });
 }
 
 std::function<void(const std::string&)> Document::Private::polishing() {

@@ -148,12 +148,13 @@ class Document::Private : public ObjectHost {
   //! Tells on the GUI thread what is being polished.
   std::function<void(const std::string&)> polishing();
   //! On the files' thread: has `job` done until it is cancelled, and tells how it ended.
-  QString inputFault(const QString& path) const;
   void write(const QString& path, std::function<QString()> job);
+  //! The same of several files. `path`: what signals name.
+  void write(const QString& path, const QStringList& all, std::function<QString()> job);
   using WriteObjects = std::function<void(const std::vector<ExportedObject>&, const ExportContext&)>;
-  //! `told`: the path that signals name.
-  void exportAs(const QString& told, CoordinateSpace space, const DicomContent& content,
-                const std::vector<int>& which, WriteObjects writeThem);
+  //! `told`: the path that signals name; `paths`: what is written.
+  void exportAs(const QString& told, const QStringList& paths, CoordinateSpace space,
+                const DicomContent& content, const std::vector<int>& which, WriteObjects writeThem);
   void exportEach(const QString& path, const QString& extension, CoordinateSpace space,
                   const DicomContent& content);
   void exportFiles(const QString& path, CoordinateSpace space, const DicomContent& content,

@@ -111,7 +111,7 @@ void Document::Private::exportAnonymousSession(const QString& path) {
 }
 
 void Document::Private::saveSession(const QString& path) {
-  if (const QString fault = inputFault(path); !fault.isEmpty()) {
+  if (const QString fault = q.outputFault(path); !fault.isEmpty()) {
     Q_EMIT q.saveFailed(fault);
     return;
   }

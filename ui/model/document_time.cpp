@@ -1,5 +1,6 @@
 // The Document's time points: which of them is grown in, and the surface carried through the others.
 
+#include <QFile>
 #include <QUndoCommand>
 #include <algorithm>
 
@@ -62,6 +63,17 @@ class OverTimeCommand : public QUndoCommand {
 
 QString severalFault() {
   return Document::tr("Several objects are not carried over time: open the volume with one of them.");
+}
+
+//! Those of frames without a surface are removed.
+QStringList frameFiles(const QString& path, const OverTimeReport& over) {
+  if (!isMeshPath(fileName(path))) return {path};
+  std::vector<int> frames;
+  for (const FrameResult& r : over.frames) frames.push_back(r.frame);
+  QStringList files;
+  for (const std::string& file : frameMeshPaths(fileName(path), frames))
+    files << QFile::decodeName(file.c_str());
+  return files;
 }
 
 }  // namespace
@@ -225,19 +237,21 @@ void Document::exportFrames(const QString& path, CoordinateSpace space) {
 
 void Document::Private::exportFrames(const QString& path, CoordinateSpace coordinates) {
   output.space = coordinates;
-  write(path, [this, path, coordinates, over = overTimeReport(), from = time.carriedFrom(),
-               grown = time.grownFrame(), label = active().traits.label, grid = work->volume.grid,
-               betters = output.polishes]() mutable {
-    for (FrameResult& r : over.frames)
-      if (r.frame == grown) r.mesh = from->get().mesh;
-    if (betters) polishFrames(over, [told = polishing(), &label](int) { told(label.name); });
-    const std::string file = fileName(path);
-    if (isMeshPath(file))
-      writeFrameMeshes(over, coordinates, file);
-    else
-      writeFrameLabels(over, label, grid, file);
-    return polishSentence(together(over.polish));
-  });
+  OverTimeReport report = overTimeReport();
+  write(path, frameFiles(path, report),
+        [this, path, coordinates, over = std::move(report), from = time.carriedFrom(),
+         grown = time.grownFrame(), label = active().traits.label, grid = work->volume.grid,
+         betters = output.polishes]() mutable {
+          for (FrameResult& r : over.frames)
+            if (r.frame == grown) r.mesh = from->get().mesh;
+          if (betters) polishFrames(over, [told = polishing(), &label](int) { told(label.name); });
+          const std::string file = fileName(path);
+          if (isMeshPath(file))
+            writeFrameMeshes(over, coordinates, file);
+          else
+            writeFrameLabels(over, label, grid, file);
+          return polishSentence(together(over.polish));
+        });
 }
 
 }  // namespace handlebody::ui

@@ -78,6 +78,7 @@ class ExportedObjectsWindowTest : public QObject {
   void whatIsThereIsAskedAbout();
   void theWindowClosesWhenAFileIsWritten();
   void nothingIsWrittenIntoTheVolume();
+  void picturesAndTablesAreNotWrittenIntoTheVolume();
   void whatIsBetteredIsChosenAndTold();
   void aNameIsProposedThatTheDialogTakesAsOne();
 };
@@ -172,6 +173,26 @@ void ExportedObjectsWindowTest::nothingIsWrittenIntoTheVolume() {
   QCOMPARE(refused.size(), 3);
   QVERIFY(!window->close());  // what is refused at once is not what is being written
   QVERIFY(!exported.isEmpty() || exported.wait(kPatience));
+}
+
+void ExportedObjectsWindowTest::picturesAndTablesAreNotWrittenIntoTheVolume() {
+  const QTemporaryDir folder;
+  const QString scan = folder.filePath("scan"), name = QFileInfo(writeBalls(folder)).fileName();
+  QVERIFY(QDir().mkdir(scan) && QFile::rename(folder.filePath(name), scan + "/" + name));
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, scan));
+  ui::FileWork& files = window->files();
+  const auto isRefused = [&](const QString& file, const std::function<void()>& work) {
+    window->messages().dismiss();
+    questionsOf(work, {{scan + "/" + file}, {}});
+    return window->messages().text().contains("part of the volume");
+  };
+  QVERIFY(isRefused("p.png", [&] { files.exportPicture(); }));
+  QVERIFY(isRefused("t.csv", [&] { files.saveText("Save", "measures", ".csv", "1,2"); }));
+  const auto write = [](const std::string& path) { writeWord(QString::fromStdString(path)); };
+  QVERIFY(isRefused("m.ply", [&] { files.saveFile("Save", "mesh", ".ply", write); }));
+  QTest::qWait(100);
+  QCOMPARE(QDir(scan).entryList(QDir::Files), QStringList{name});
 }
 
 //! The ending that a typed name lacks is added: a file of the whole name is asked about all the same. One of

@@ -515,11 +515,17 @@ void FileWork::exportAnonymousSession() {
   if (!path.isEmpty()) document_.exportAnonymousSession(path);
 }
 
+bool FileWork::isRefused(const QString& path) {
+  const QString fault = document_.outputFault(path);
+  if (!fault.isEmpty()) messages_.show(MessageBar::Kind::error, fault);
+  return !fault.isEmpty();
+}
+
 void FileWork::exportPicture() {
   const QImage picture = views_.picture(exports_.pictureOf());  // before a dialog covers the views
   const QString path = askForName(
       {tr("Export a picture"), suggestedBase(), {QStringLiteral(".png")}, QStringLiteral("*.png")});
-  if (path.isEmpty()) return;
+  if (path.isEmpty() || isRefused(path)) return;
   QSaveFile file(path);  // whole or not at all
   QImageWriter writer(&file, "png");
   if (file.open(QIODevice::WriteOnly) && writer.write(picture) && file.commit())
@@ -532,7 +538,7 @@ void FileWork::saveText(const QString& title, const QString& what, const QString
                         const std::string& text) {
   const QString path = askForName(
       {title, suggestedBase() + QLatin1Char('_') + what, {extension}, QStringLiteral("*%1").arg(extension)});
-  if (path.isEmpty()) return;
+  if (path.isEmpty() || isRefused(path)) return;
   try {
     writeTextAtomically(fileName(path), text);
     messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
@@ -545,7 +551,7 @@ void FileWork::saveFile(const QString& title, const QString& what, const QString
                         const FileWriter& write) {
   const QString path = askForName(
       {title, suggestedBase() + QLatin1Char('_') + what, {extension}, QStringLiteral("*%1").arg(extension)});
-  if (path.isEmpty()) return;
+  if (path.isEmpty() || isRefused(path)) return;
   inBackground(
       this, [write, name = fileName(path)] { return whyNot([&] { write(name); }); },
       [this, path](const QString& error) {

@@ -92,6 +92,8 @@ class FileWork : public QObject {
   };
   //! Asks until it is a name of which nothing is lost, or what is lost may be; empty: no longer wanted.
   QString askForName(const NameQuestion& question);
+  //! True, and says so, if the open work is read from it: of files that the document does not write itself.
+  bool isRefused(const QString& path);
   bool mayReplace(const QString& title, const QStringList& files);
   QStringList exportedFiles(const QString& path) const;
   QStringList frameFiles(const QString& path) const;
