@@ -285,8 +285,11 @@ class Document : public QObject {
   // Volume, surface and numbers are those of the shown frame. What is changed is the growth in its own frame,
   // which must be shown for that; the first click in another frame makes that the one it is grown in.
   TimeSeries& time() const;
-  //! Moves the clicks to the shown frame; what was grown is gone.
+  //! Moves the clicks of all objects to the shown frame; what was grown is gone. refused() while one of them
+  //! is locked.
   void growInShownFrame();
+  //! The other objects whose surfaces would be gone then.
+  QStringList lostElsewhere() const;
   //! Carries the surface through the other frames, in the background. Nothing where carryFault() says why.
   void carryOverTime();
   //! Why the surface cannot be carried now, as a sentence; empty: it can.

@@ -141,13 +141,21 @@ const CarriedFrame* Document::Private::carriedHere() const {
 
 void Document::growInShownFrame() {
   if (!hasVolume() || d_->corrected.isOpen() || d_->time.showsWorkFrame()) return;
-  if (d_->active().traits.locked) {
-    d_->mayChange();
-    return;
-  }
+  for (const auto& object : d_->objects)
+    if (object->traits.locked)
+      return Q_EMIT refused(tr("“%1” is locked: unlock it to grow in another frame.")
+                                .arg(QString::fromStdString(object->traits.label.name)));
   d_->undo.push(new GrownFrameCommand(tr("Grow in frame %1").arg(d_->time.shownFrame()),
                                       d_->time.grownFrame(), d_->time.shownFrame(),
                                       [this](int frame) { d_->setGrownFrame(frame); }));
+}
+
+QStringList Document::lostElsewhere() const {
+  QStringList names;
+  for (const auto& object : d_->objects)
+    if (object != d_->objects.active() && object->growth().exists())
+      names << QString::fromStdString(object->traits.label.name);
+  return names;
 }
 
 // --- over time ---

@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow {
   void buildTime();
   void connectTimeCommands();
   void showOverTime();
+  void growHere();
   void updateTimeCommands();
   // main_window_edits.cpp
   void tellOfEdit();

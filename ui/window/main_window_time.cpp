@@ -1,6 +1,7 @@
 // Time in the window: the bar under the views, what is carried over it, its commands.
 
 #include <QDockWidget>
+#include <QMessageBox>
 
 #include "ui/model/time_series.h"
 #include "ui/window/export/export_panel.h"
@@ -43,7 +44,7 @@ void MainWindow::connectTimeCommands() {
   on(Command::previousFrame, [&time] { time.show(time.wantedFrame() - 1); });
   on(Command::nextFrame, [&time] { time.show(time.wantedFrame() + 1); });
   on(Command::toGrownFrame, [&time] { time.show(time.grownFrame()); });
-  on(Command::growHere, [this] { document_.growInShownFrame(); });
+  on(Command::growHere, [this] { growHere(); });
   on(Command::correctFrame, [this] {
     document_.correctShownFrame();
     showStep(Command::stepCorrect);
@@ -66,6 +67,16 @@ void MainWindow::connectTimeCommands() {
                        &TimeSeries::carriedChanged, &TimeSeries::carryingChanged})
     connect(&time, changed, this, &MainWindow::updateTimeCommands);
   updateTimeCommands();
+}
+
+//! What the active object has grown to is meant to go, and what that is is seen; of others it is not.
+void MainWindow::growHere() {
+  const QStringList lost = document_.lostElsewhere();
+  const QString question =
+      tr("These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?")
+          .arg(lost.join(tr(", ")));
+  if (lost.isEmpty() || QMessageBox::question(this, tr("Grow in this frame"), question) == QMessageBox::Yes)
+    document_.growInShownFrame();
 }
 
 void MainWindow::updateTimeCommands() {

@@ -189,6 +189,32 @@ TEST_CASE("work over time beside an object that undo brings back is told to be l
   CHECK(savedSession(document, heart).contains("over_time"));
 }
 
+TEST_CASE("nothing grows in another frame while an object is locked, whose surface would be gone",
+          "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  QString refused;
+  QObject::connect(&document, &Document::refused, [&](const QString& why) { refused = why; });
+  REQUIRE(growInFrame(document, heart));
+  const auto surface = document.snapshot();
+  handlebody::ui::rename(document, 0, "Ventricle");
+  document.setObjectLocked(0, true);
+  document.addObject();
+  REQUIRE(showFrame(document, 2));
+  document.growInShownFrame();
+  CHECK(refused.contains("Ventricle"));
+  CHECK(document.time().grownFrame() == 0);
+  REQUIRE(showFrame(document, 0));
+  CHECK(document.objectInfo(0).snapshot == surface);
+  REQUIRE(showFrame(document, 2));
+  document.setObjectLocked(0, false);
+  CHECK(document.lostElsewhere() == QStringList{QStringLiteral("Ventricle")});
+  document.setActiveObject(0);
+  CHECK(document.lostElsewhere().isEmpty());
+  document.growInShownFrame();
+  CHECK(document.time().grownFrame() == 2);
+}
+
 TEST_CASE("a carried surface that is out of date is shown, but neither measured nor written",
           "[document][time]") {
   const BeatingFile heart;

@@ -2,7 +2,9 @@
 // time, a frame corrected; and the sensitivity at one button.
 
 #include <QCheckBox>
+#include <QMessageBox>
 #include <QTableWidget>
+#include <QTimer>
 
 #include "tests/ui/window/layout_support.h"
 #include "tests/ui/window/time_window_support.h"
@@ -56,6 +58,7 @@ class TimeWindowTest : public QObject {
   void aClickInThePlotGoesToTheFrame();
   void aFrameIsCorrectedAndTheRestIsCarriedAgain();
   void oneButtonTellsTheSensitivity();
+  void growingHereAsksWhereAnotherObjectLosesItsSurface();
   void aFrameThatFailsIsToldInTheLanguageOfTheWindow();
   void nothingIsCutOffInAnyLanguage();
 
@@ -165,6 +168,31 @@ void TimeWindowTest::oneButtonTellsTheSensitivity() {
   QVERIFY(shownText(*window, "Volume with its spread").contains(QChar(0xB1)));
   QVERIFY(window->viewState().distances() != nullptr);
   QVERIFY(!window->viewState().distances()->isSigned);
+}
+
+void TimeWindowTest::growingHereAsksWhereAnotherObjectLosesItsSurface() {
+  auto window = grownWindow(sample_);
+  QVERIFY(window);
+  ui::Document& document = window->document();
+  document.addObject();
+  document.time().show(2);
+  QVERIFY(shows(*window, 2));
+  const auto answer = [&](QMessageBox::StandardButton button) {
+    QString asked;
+    QTimer::singleShot(200, window.get(), [&asked, button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!box) return;
+      asked = box->text();
+      box->button(button)->click();
+    });
+    window->commands()[Command::growHere]->trigger();
+    return asked;
+  };
+  const QString name = QString::fromStdString(document.objectInfo(0).label.name);
+  QVERIFY(answer(QMessageBox::No).contains(name));
+  QCOMPARE(document.time().grownFrame(), 0);
+  QVERIFY(answer(QMessageBox::Yes).contains(name));
+  QCOMPARE(document.time().grownFrame(), 2);
 }
 
 void TimeWindowTest::aFrameThatFailsIsToldInTheLanguageOfTheWindow() {
