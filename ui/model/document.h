@@ -364,6 +364,9 @@ class Document : public QObject {
   //! Mesh or label map by extension, of the shown iteration, written on a worker thread: exporting(), then
   //! exported(), exportFailed() or exportCancelled(); or exportRefused() at once.
   void exportResult(const QString& path, CoordinateSpace space, const DicomContent& content = {});
+  //! Why all objects cannot be written now, together, alone or as a report, as a sentence: one of them still
+  //! grows. Empty: they can.
+  QString allFault() const;
   //! The same of all objects that have a surface, in one file; not if two of them meet.
   void exportObjects(const QString& path, CoordinateSpace space, const DicomContent& content = {});
   //! Where exportEachObject() writes them; `extension`: with which the path ends.

@@ -85,11 +85,21 @@ void Document::exportResult(const QString& path, CoordinateSpace space, const Di
     d_->exportFiles(path, space, content, {activeObject()});
 }
 
+QString Document::allFault() const {
+  for (const auto& object : d_->objects)
+    if (object->isBusy())
+      return tr("“%1” still grows: wait until it is at rest, or pause it.")
+          .arg(QString::fromStdString(object->traits.label.name));
+  return {};
+}
+
 void Document::exportObjects(const QString& path, CoordinateSpace space, const DicomContent& content) {
   std::vector<int> which;
   for (int i = 0; i < objectCount(); ++i)
     if (finishedMesh(i)) which.push_back(i);
-  if (which.empty())
+  if (const QString fault = allFault(); !fault.isEmpty())
+    Q_EMIT exportRefused(fault);
+  else if (which.empty())
     Q_EMIT exportRefused(tr("There is no surface to export yet: grow one first."));
   else
     d_->exportFiles(path, space, content, which);
@@ -105,7 +115,9 @@ QStringList Document::objectPaths(const QString& path, const QString& extension,
 
 void Document::exportEachObject(const QString& path, const QString& extension, CoordinateSpace space,
                                 const DicomContent& content) {
-  if (objectPaths(path, extension, content.anonymous).isEmpty())
+  if (const QString fault = allFault(); !fault.isEmpty())
+    Q_EMIT exportRefused(fault);
+  else if (objectPaths(path, extension, content.anonymous).isEmpty())
     Q_EMIT exportRefused(tr("There is no surface to export yet: grow one first."));
   else
     d_->exportEach(path, extension, space, content);
@@ -285,6 +297,10 @@ std::function<void(const std::string&)> Document::Private::polishing() {
 void Document::exportReport(const QString& path, bool isAnonymous) {
   if (d_->corrected.isOpen()) {
     Q_EMIT exportRefused(tr("A frame is being corrected: end that first."));
+    return;
+  }
+  if (const QString fault = allFault(); !fault.isEmpty()) {
+    Q_EMIT exportRefused(fault);
     return;
   }
   const auto made = hasVolume() ? d_->pendingReports(isAnonymous) : std::vector<PendingReport>();

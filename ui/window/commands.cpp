@@ -40,6 +40,13 @@ bool repeats(Command id) {
   }
 }
 
+QString tipOf(const QAction& action) {
+  const QString keys = Commands::keysText(action);
+  return QStringLiteral("<p>%1%2</p>")
+      .arg(action.statusTip().toHtmlEscaped(),
+           keys.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(keys.toHtmlEscaped()));
+}
+
 }  // namespace
 
 Commands::Commands(QUndoStack* undoStack, QObject* parent) : QObject(parent) {
@@ -59,14 +66,16 @@ QAction* Commands::make(const CommandSpec& spec, QUndoStack* undoStack) {
   if (belongsToSurfaceView(spec.id)) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   if (*spec.icon) action->setIcon(icon(QString::fromLatin1(spec.icon)));
   action->setStatusTip(translated(spec.tip));
-  const QString keys = keysText(*action);
-  action->setToolTip(
-      QStringLiteral("<p>%1%2</p>")
-          .arg(translated(spec.tip).toHtmlEscaped(),
-               keys.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(keys.toHtmlEscaped())));
+  action->setToolTip(tipOf(*action));
   action->setCheckable(spec.kind != CommandSpec::plain);
   if (spec.kind == CommandSpec::choice) exclude(spec, action);
   return action;
+}
+
+void Commands::setHindrance(Command id, const QString& why) {
+  QAction* action = actions_.at(id);
+  const QString tip = tipOf(*action);
+  action->setToolTip(why.isEmpty() ? tip : tip + QStringLiteral("<p>%1</p>").arg(why.toHtmlEscaped()));
 }
 
 void Commands::exclude(const CommandSpec& spec, QAction* action) {

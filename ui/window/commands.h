@@ -154,6 +154,8 @@ class Commands : public QObject {
   Commands(QUndoStack* undoStack, QObject* parent);
 
   QAction* operator[](Command id) const { return actions_.at(id); }
+  //! Its tip says why it cannot be used now; empty: nothing of the kind.
+  void setHindrance(Command id, const QString& why);
   //! In the order of the menus.
   static const std::vector<CommandSpec>& table();
   static QString translated(const char* text);

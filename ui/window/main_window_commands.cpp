@@ -4,6 +4,7 @@
 
 #include "ui/view/slice_view.h"
 #include "ui/view/surface_view.h"
+#include "ui/window/export/export_panel.h"
 #include "ui/window/grow/grow_panel.h"
 #include "ui/window/help/help_window.h"
 #include "ui/window/main_window.h"
@@ -76,6 +77,7 @@ void MainWindow::connectFileCommands() {
   connect(start_, &StartPage::openRequested, files_, [this](const QString& path) { files_->open(path); });
   connect(start_, &StartPage::sampleRequested, files_, &FileWork::openSample);
   connect(open_, &OpenPanel::openRequested, files_, &FileWork::open);
+  connect(export_, &ExportPanel::whichChanged, this, &MainWindow::updateCommands);
   connect(files_, &FileWork::spacingNeeded, this,
           [this](const QString& path, const VolumeSelection& selection) {
             showStep(Command::stepOpen);
@@ -262,8 +264,12 @@ void MainWindow::updateCommands() {
     something = something || (other && !other->mesh.triangles.empty());
     anything = anything || other;
   }
-  enable({Command::exportResult}, something && !running);
-  enable({Command::exportReport}, anything && !running);
+  const QString grows = document_.allFault();
+  const bool isOther = !running && export_->which() == ExportPanel::Objects::active;
+  enable({Command::exportResult}, something && (isOther || grows.isEmpty()));
+  enable({Command::exportReport}, anything && grows.isEmpty());
+  commands_.setHindrance(Command::exportResult, isOther ? QString() : grows);
+  commands_.setHindrance(Command::exportReport, grows);
   enable({Command::stepBack, Command::previousEvent, Command::toStart}, document_.iteration() > 0);
   enable({Command::toEnd}, grown && document_.iteration() < document_.lastIteration());
   QAction* run = commands_[Command::run];

@@ -1,5 +1,7 @@
 // Several objects in one Document: walls for one another, files, sessions and the journal.
 
+#include <functional>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -134,6 +136,32 @@ TEST_CASE("a correction and another parameter on the way keep the walls, here an
   other.open(session);
   REQUIRE(waitFor([&] { return other.objectCount() == 2 && areAllAtRest(other); }));
   CHECK(isSame(other.objectInfo(1).snapshot->mesh, document.snapshot()->mesh));
+}
+
+TEST_CASE("all objects are not written while one of them grows, and it says which", "[objects]") {
+  ObjectsWork work;
+  Document& document = work.document;
+  work.growFirst(5);
+  document.addObject();
+  rename(document, 1, "Rest");
+  document.addSeed(work.opposite());
+  document.run();
+  REQUIRE(waitFor([&] { return document.iteration() >= 1; }));
+  document.setActiveObject(0);
+  REQUIRE(document.objectInfo(1).state == GrowthState::running);
+  const QString path = work.torus.file("all.stl"), report = work.torus.file("report.json");
+  const auto isRefused = [&](const std::function<void()>& writes) {
+    work.failed.clear();
+    writes();
+    return work.failed.contains("“Rest” still grows");
+  };
+  CHECK(isRefused([&] { document.exportObjects(path, CoordinateSpace::lps); }));
+  CHECK(isRefused([&] { document.exportEachObject(path, ".stl", CoordinateSpace::lps); }));
+  CHECK(isRefused([&] { document.exportReport(report); }));
+  CHECK(work.exportActive(path));  // it is at rest
+  REQUIRE(waitFor([&] { return document.objectInfo(1).state == GrowthState::finished; }, 120));
+  CHECK(document.allFault().isEmpty());
+  CHECK(work.exportAll(path));
 }
 
 // Run by the test below in a process of its own, which is then killed.

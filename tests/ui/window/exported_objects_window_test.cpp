@@ -75,6 +75,7 @@ class ExportedObjectsWindowTest : public QObject {
  private Q_SLOTS:
   void allAreExportedTogether();
   void eachIsExportedAlone();
+  void nothingIsExportedOfAllWhileOneGrows();
   void whatIsThereIsAskedAbout();
   void theWindowClosesWhenAFileIsWritten();
   void nothingIsWrittenIntoTheVolume();
@@ -127,6 +128,33 @@ void ExportedObjectsWindowTest::eachIsExportedAlone() {
                          second = valuesOf(paths[1]);
   QVERIFY(std::count(first.begin(), first.end(), 1) > 0 && std::count(second.begin(), second.end(), 2) > 0);
   for (std::size_t i = 0; i < all.size(); ++i) QCOMPARE(all[i], first[i] + second[i]);
+}
+
+void ExportedObjectsWindowTest::nothingIsExportedOfAllWhileOneGrows() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  QVERIFY(growTwo(*window));
+  ui::Document& document = window->document();
+  QAction* result = window->commands()[Command::exportResult];
+  QAction* report = window->commands()[Command::exportReport];
+  const QString tip = result->toolTip();
+  document.goToStart();
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == 0; }, kPatience));
+  document.run();
+  document.setActiveObject(0);
+  QVERIFY(!document.allFault().isEmpty());
+  QVERIFY(!result->isEnabled() && !report->isEnabled());
+  QVERIFY2(result->toolTip().contains("still grows"), qPrintable(result->toolTip()));
+  auto* choice = called<QComboBox>(*window->findChild<ui::ExportPanel*>(), "Objects");
+  choice->setCurrentText("The active object");
+  QVERIFY(result->isEnabled() && !report->isEnabled());
+  QCOMPARE(result->toolTip(), tip);
+  choice->setCurrentText("All objects in one file");
+  QVERIFY(!result->isEnabled());
+  QVERIFY(QTest::qWaitFor([&] { return document.allFault().isEmpty(); }, kPatience));
+  QVERIFY(result->isEnabled() && report->isEnabled());
+  QCOMPARE(result->toolTip(), tip);
 }
 
 void ExportedObjectsWindowTest::theWindowClosesWhenAFileIsWritten() {

@@ -47,6 +47,7 @@ ExportPanel::ExportPanel(Document& document, const Commands& commands, QWidget* 
       failed_.clear();
       showWhatIsWritten();
     });
+  connect(objects_, &QComboBox::currentIndexChanged, this, &ExportPanel::whichChanged);
   connectProgress();
   showWhatIsWritten();
 }
@@ -310,6 +311,7 @@ void ExportPanel::showAllObjects() {
     text +=
         QLatin1Char(' ') +
         tr("Made with earlier surfaces: %1. Nothing is written if any of them meet.").arg(old.join(tr(", ")));
+  if (const QString grows = document_.allFault(); !grows.isEmpty()) text += QLatin1Char(' ') + grows;
   numbers_->setText(text);
 }
 

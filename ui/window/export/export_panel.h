@@ -42,6 +42,7 @@ class ExportPanel : public QWidget {
 
  Q_SIGNALS:
   void anonymousChanged(bool anonymous);
+  void whichChanged();
 
  private:
   void buildResult(const Commands& commands);
