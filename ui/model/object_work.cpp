@@ -227,8 +227,8 @@ void ObjectWork::beShown() {
 
 void ObjectWork::beHidden() {
   isShown_ = false;
+  if (isBusy() || changedOnTheWay_) return;  // what was changed a moment ago is still prepared
   settle_.stop();
-  if (isBusy() || changedOnTheWay_) return;
   preparation_.forget();
   isPreparing_ = isWaiting_ = false;
   ++preparations_;

@@ -10,6 +10,22 @@
 using namespace handlebody;
 using namespace handlebody::ui;
 
+TEST_CASE("a click into what grows is grown also where another object becomes active at once", "[objects]") {
+  ObjectsWork work;
+  Document& document = work.document;
+  document.addSeed(work.torus.seed);
+  document.addObject();
+  document.setActiveObject(0);
+  document.run();
+  REQUIRE(waitFor([&] { return document.iteration() >= 5; }));
+  document.addSeed({testing::kMiddle - Vec3(testing::kTorusR, 0, 0), 2.0});
+  document.setActiveObject(1);
+  const auto isDone = [&] { return document.objectInfo(0).state == GrowthState::finished; };
+  CHECK(waitFor(isDone, 60));
+  document.setActiveObject(0);
+  CHECK(document.corrections().size() == 1);
+}
+
 TEST_CASE("the list of objects is changed and every change undone by its name", "[objects]") {
   ObjectsWork work;
   Document& document = work.document;
