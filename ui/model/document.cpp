@@ -60,8 +60,9 @@ bool Document::Private::mayGoOn() {
   }
   Q_EMIT q.refused(
       tr("“%1” is locked: unlock it to change it.").arg(QString::fromStdString(active().traits.label.name)));
-  Q_EMIT q.seedsChanged();  // fields show again what holds
+  Q_EMIT q.seedsChanged();  // fields show again what holds, and the timeline
   Q_EMIT q.parametersChanged();
+  Q_EMIT q.stateChanged();
   return false;
 }
 

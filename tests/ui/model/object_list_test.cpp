@@ -26,6 +26,18 @@ TEST_CASE("a click into what grows is grown also where another object becomes ac
   CHECK(document.corrections().size() == 1);
 }
 
+TEST_CASE("whoever shows the iteration of a locked object is told that it stays", "[objects]") {
+  ObjectsWork work;
+  Document& document = work.document;
+  work.growFirst(5);
+  document.setObjectLocked(0, true);
+  int told = 0;
+  QObject::connect(&document, &Document::stateChanged, [&] { ++told; });
+  document.goTo(2);
+  CHECK(told == 1);
+  CHECK(document.iteration() == 5);
+}
+
 TEST_CASE("the list of objects is changed and every change undone by its name", "[objects]") {
   ObjectsWork work;
   Document& document = work.document;
