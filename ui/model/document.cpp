@@ -28,7 +28,10 @@ Document::Private::Private(Document& document) : q(document) {
   const auto first = newObject();
   objects.hold({first}, first);
   undo.setUndoLimit(kMaxUndone);
-  QObject::connect(&undo, &QUndoStack::indexChanged, &q, [this] { ++edits; });  // told of what merges, too
+  QObject::connect(&undo, &QUndoStack::indexChanged, &q, [this] {
+    ++edits;  // told of what merges, too
+    dropObsolete();
+  });
   QObject::connect(&undo, &QUndoStack::cleanChanged, &q, [this] { updateModified(); });
   QObject::connect(&time, &TimeSeries::shownChanged, &q, [this] { shownFrameChanged(); });
   QObject::connect(&time, &TimeSeries::carriedChanged, &q, [this] {

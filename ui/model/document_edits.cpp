@@ -56,16 +56,38 @@ void Document::Private::edited(const ObjectWork& object) {
   if (&object == &active()) Q_EMIT q.meshEdited();
 }
 
-// Nothing of it stays, not even an entry to do it again.
-void Document::Private::editRefused(const ObjectWork& object, const Request& asked, const QString& why) {
-  const auto* last = dynamic_cast<const EditCommand*>(undo.command(undo.index() - 1));
-  if (&object == &active() && last && last->after().request() == asked) {
-    auto* command = const_cast<EditCommand*>(last);
-    command->undo();
-    command->setObsolete(true);
-    undo.undo();  // takes one that is obsolete from the list, and does no more
-  }
+void Document::Private::editRefused(ObjectWork& object, const MeshEdit& edit, const QString& why) {
+  takeOut(object, edit);
+  if (&object != &active()) object.beHidden();  // nothing is to be prepared for it now
   Q_EMIT q.refused(why);
+}
+
+//! Nothing of it stays, not even an entry to do it again; what was done meanwhile stays.
+void Document::Private::takeOut(ObjectWork& object, const MeshEdit& edit) {
+  Edits left = withoutEdit(object.edits(), edit);
+  EditCommand* made = nullptr;
+  for (int i = undo.count() - 1, later = 0; i >= 0 && !made; --i) {
+    auto* command = const_cast<EditCommand*>(dynamic_cast<const EditCommand*>(undo.command(i)));
+    if (!command || !command->isOf(object)) continue;
+    if (i < undo.index() && holds(command->after(), edit) && !holds(command->before(), edit)) {
+      made = command;
+      if (later == 0) left = command->before();
+      if (undo.cleanIndex() > i) undo.resetClean();  // it was saved
+    } else {
+      command->leaveOut(edit);
+      ++later;
+    }
+  }
+  ++edits;
+  object.apply(left, EditCommand::Way::undo);
+  if (made) made->setObsolete(true);
+  dropObsolete();
+}
+
+//! What is left of edits that were refused: an entry that does nothing.
+void Document::Private::dropObsolete() {
+  while (undo.index() > 0 && undo.command(undo.index() - 1)->isObsolete())
+    undo.undo();  // takes one that is obsolete from the list, and does no more
 }
 
 }  // namespace handlebody::ui

@@ -71,7 +71,7 @@ class Document::Private : public ObjectHost {
   void leaked(const ObjectWork& object, int index) override;
   void asked(const ObjectWork& object) override;
   void edited(const ObjectWork& object) override;
-  void editRefused(const ObjectWork& object, const Request& asked, const QString& why) override;
+  void editRefused(ObjectWork& object, const MeshEdit& edit, const QString& why) override;
 
   // --- opening ---
   void open(const OpeningRequest& asked);
@@ -127,6 +127,8 @@ class Document::Private : public ObjectHost {
 
   // --- seeds and parameters ---
   void push(const QString& text, Edits after, int gesture);
+  void takeOut(ObjectWork& object, const MeshEdit& edit);
+  void dropObsolete();
   //! False, and says so, where the active object cannot be pinned now.
   bool mayPin();
   bool pin(const std::vector<WallBall>& stroke, const QString& undoText);

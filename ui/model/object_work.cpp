@@ -95,6 +95,7 @@ void ObjectWork::apply(const Edits& after, EditCommand::Way way) {
   if (!offerSameObjects(edits_, after)) forgetCandidates();
   const Request before = request();
   edits_ = after;
+  if (editing_ && !holds(edits_, *editing_)) editing_.reset();
   if (way == EditCommand::Way::undo) goBackBefore(before);
   if (seeds || parameters || constraints) editsChanged(seeds);
   if (seeds) host_.changed(*this, ObjectHost::Part::seeds);
@@ -102,7 +103,6 @@ void ObjectWork::apply(const Edits& after, EditCommand::Way way) {
   if (parameters) host_.changed(*this, ObjectHost::Part::parameters);
   if (constraints) host_.changed(*this, ObjectHost::Part::constraints);
   if (walls) lookAtWalls(true);
-  editing_.reset();
   if (constraints && way == EditCommand::Way::redo) makeEdit(before.constraints.edits);
 }
 

@@ -48,8 +48,8 @@ class ObjectHost {
   virtual void asked(const ObjectWork& object) = 0;
   //! The shown iteration is an edit that was just made.
   virtual void edited(const ObjectWork& object) = 0;
-  //! The edit that was asked for by `asked` could not be made.
-  virtual void editRefused(const ObjectWork& object, const Request& asked, const QString& why) = 0;
+  //! That edit, which was asked for, could not be made.
+  virtual void editRefused(ObjectWork& object, const MeshEdit& edit, const QString& why) = 0;
 };
 
 class ObjectWork : public QObject {
@@ -190,8 +190,8 @@ class ObjectWork : public QObject {
   bool isLooking_ = false, tellsAgain_ = false, looksWhenUpToDate_ = false;
 
   Wanted wanted_ = Wanted::nothing;
-  bool goesOnThere_ = false;        // when the iteration that was asked for is shown
-  std::optional<Request> editing_;  // asked for the next step to be an edit, which is under way
+  bool goesOnThere_ = false;         // when the iteration that was asked for is shown
+  std::optional<MeshEdit> editing_;  // was asked for as the next step, and is under way
   Replay replay_;
   Request replayed_;      // at the beginning of the replay
   bool replays_ = false;  // what the session says is still to be done, under way, or paused

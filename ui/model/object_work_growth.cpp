@@ -257,15 +257,15 @@ void ObjectWork::makeEdit(const std::vector<MeshEdit>& known) {
   const std::vector<MeshEdit>& edits = edits_.constraints.edits;
   const auto edit = std::find_if(edits.begin(), edits.end(), isNext);
   if (isBusy() || edit == edits.end() || std::find(known.begin(), known.end(), *edit) != known.end()) return;
-  editing_ = edits_.request();
+  editing_ = *edit;
   goOn(Wanted::step);
 }
 
 void ObjectWork::tellOfEdit() {
-  const Request asked = *std::exchange(editing_, std::nullopt);
+  const MeshEdit edit = *std::exchange(editing_, std::nullopt);
   const auto isShown = [this](const Event& e) { return e.edit && e.iteration == growth_.iteration(); };
   if (const QString why = error(); !why.isEmpty())
-    host_.editRefused(*this, asked, why);
+    host_.editRefused(*this, edit, why);
   else if (std::any_of(growth_.events().begin(), growth_.events().end(), isShown))
     host_.edited(*this);
 }

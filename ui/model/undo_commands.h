@@ -21,6 +21,9 @@ struct Edits {
   int selectedSeed = -1;
 };
 
+bool holds(const Edits& edits, const MeshEdit& edit);
+Edits withoutEdit(Edits edits, const MeshEdit& edit);
+
 class ObjectWork;
 
 class EditCommand : public QUndoCommand {
@@ -37,6 +40,10 @@ class EditCommand : public QUndoCommand {
   void undo() override { apply_(before_, Way::undo); }
   void redo() override { apply_(after_, Way::redo); }
   const Edits& after() const { return after_; }
+  const Edits& before() const { return before_; }
+  bool isOf(const ObjectWork& object) const { return object_.get() == &object; }
+  //! What it holds is without that edit from now on.
+  void leaveOut(const MeshEdit& edit);
 
  private:
   std::shared_ptr<const ObjectWork> object_;

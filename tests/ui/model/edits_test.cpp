@@ -4,6 +4,7 @@
 
 #include "core/io/report/session.h"
 #include "tests/ui/model/document_support.h"
+#include "ui/model/measurements.h"
 #include "ui/model/mesh_contents.h"
 
 using namespace handlebody;
@@ -94,6 +95,33 @@ TEST_CASE("an edit that cannot be made is told, and all is as it was", "[documen
   REQUIRE(waitFor([&] { return document.state() == GrowthState::finished; }));
   REQUIRE(grown.close());  // nothing is in the way of another
   CHECK(grown.genus() == 0);
+}
+
+TEST_CASE("an edit that cannot be made is taken out whatever was done meanwhile, which stays", "[document]") {
+  GrownForEdits grown;
+  Document& document = grown.document;
+  document.addObject();
+  document.setActiveObject(0);
+  const QString undo = document.undoStack()->undoText();
+  const int entries = document.undoStack()->count();
+  const auto meanwhile = GENERATE(0, 1, 2, 3);
+  document.editMesh({0, MeshEditKind::fillCavity, testing::kMiddle});
+  if (meanwhile == 0) document.measurements().add({MeasurementKind::ruler, {Vec3(1, 2, 3), Vec3(4, 5, 6)}});
+  if (meanwhile == 1) document.setObjectVisible(0, false);
+  if (meanwhile == 2) document.setActiveObject(1);
+  if (meanwhile == 3) document.addSeed({testing::kMiddle + Vec3(0, 0, 15), std::nullopt, true});
+  REQUIRE(waitFor([&] { return !grown.refused.isEmpty(); }));
+  CHECK(grown.refused.contains("finds no cavity"));
+  document.setActiveObject(0);
+  CHECK(document.constraints().edits.empty());
+  CHECK(document.seeds().size() == (meanwhile == 3 ? 2 : 1));
+  REQUIRE(runToEnd(document));  // nothing is in the way
+  if (meanwhile != 2) document.undoStack()->undo();
+  CHECK(document.undoStack()->undoText() == undo);  // no entry does nothing
+  CHECK(document.undoStack()->index() == entries);
+  CHECK(document.constraints().edits.empty());
+  if (meanwhile != 2) document.undoStack()->redo();
+  CHECK(document.constraints().edits.empty());
 }
 
 TEST_CASE("an edit on the way that cannot be made leaves the iterations after it", "[document]") {

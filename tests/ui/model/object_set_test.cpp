@@ -19,7 +19,7 @@ struct QuietHost : ObjectHost {
   void leaked(const ObjectWork&, int) override {}
   void asked(const ObjectWork&) override {}
   void edited(const ObjectWork&) override {}
-  void editRefused(const ObjectWork&, const Request&, const QString&) override {}
+  void editRefused(ObjectWork&, const MeshEdit&, const QString&) override {}
 };
 
 struct ThreeObjects {
