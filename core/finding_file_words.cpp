@@ -352,6 +352,10 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "The sensitivity cannot be told of a growth with vetoes, pins or edits: they name an "
                        "iteration, and a perturbed run has others.")},
+    {K::sensitivityGiven, "sensitivity-given",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The sensitivity cannot be told of a surface that was given as it is: there is no "
+                       "growth to repeat.")},
     {K::sensitivityVanished, "sensitivity-vanished", QT_TRANSLATE_NOOP("Findings", "The surface vanished.")},
 
     {K::noDicomMade, "no-dicom-made", QT_TRANSLATE_NOOP("Findings", "no DICOM file can be made: {cause}")},

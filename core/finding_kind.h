@@ -413,6 +413,7 @@ enum class FindingKind {
   nothingToAsk,
   pinBeforeStep,
   sensitivityNames,
+  sensitivityGiven,
   sensitivityVanished,
 
   // Why a format cannot be written for what is open.

@@ -79,6 +79,9 @@ std::vector<GrownObject> growObjects(LoadedSession first, std::vector<Session> o
   const VolumeInfo info = first.info;
   std::vector<Session*> all{&first.session};
   for (Session& session : others) all.push_back(&session);
+  if (outputs.sensitivity.runs > 0)  // before the first of them grows
+    for (const Session* session : all)
+      namingErrors(session->label.name, [&] { requireRepeatable(*session); });
   loadStarts(all);
   std::vector<GrownObject> grown;
   std::vector<WallObject> finished;

@@ -25,7 +25,8 @@ void addSensitivity(CLI::App& command, SensitivityOptions& options);
 //! Adds what is written to `files`. Throws UsageError if the options do not go together.
 void checkSensitivity(const SensitivityOptions& options, std::vector<OutputFile>& files);
 
-//! Throws UsageError where a constraint, or a later change of the constraints, names an iteration.
+//! Throws UsageError where a constraint, or a later change of the constraints, names an iteration, or the
+//! object was given as it is.
 void requireRepeatable(const Session& session);
 
 //! With progress on standard error unless `quiet`.

@@ -25,6 +25,12 @@ struct Grown {
   std::vector<double> distances;
 };
 
+//! Of the first click inside; where a surface stands for it, within that.
+Vec3 placeInside(const Request& request) {
+  const std::vector<Seed> inside = seedsOfSide(request.seeds, false);
+  return inside.empty() ? request.constraints.start->inside : inside.front().centre;
+}
+
 TriangleSoup grownAgain(const GrownFrom& from, const Perturbation& by, std::mt19937_64& random) {
   Request request = perturbed(from.request, from.used, from.volume.grid, by, random);
   ActiveContour contour(withNoise(from.volume, by.noise, random), request.seeds, request.parameters,
@@ -97,6 +103,7 @@ std::vector<Finding> sensitivityWarnings(const Sensitivity& s) {
 }
 
 void requireRepeatable(const Constraints& c) {
+  if (c.start && c.start->isDone) throw Told<UsageError>(FindingKind::sensitivityGiven);
   if (c.vetoes.empty() && c.pins.empty() && c.edits.empty()) return;
   throw Told<UsageError>(FindingKind::sensitivityNames);
 }
@@ -105,7 +112,7 @@ Sensitivity sensitivityOf(const TriangleSoup& mesh, const GrownFrom& from, int c
                           const std::function<void(int)>& progress) {
   requireRepeatable(from.request.constraints);
   Sensitivity out;
-  out.by.noise = noiseNear(from.volume, from.request.seeds.front().centre);
+  out.by.noise = noiseNear(from.volume, placeInside(from.request));
   std::vector<Grown> all(count);
   std::mutex guard;
   int ended = 0;

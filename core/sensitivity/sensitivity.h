@@ -43,7 +43,7 @@ struct GrownFrom {
 };
 
 //! Throws UsageError where a constraint names an iteration (vetoes, pins, edits): another run's is another
-//! one.
+//! one; and where the surface was given as it is, and nothing has grown.
 void requireRepeatable(const Constraints& constraints);
 
 //! Grows `count` times, each perturbed by other random numbers, always the same ones for the same input, and

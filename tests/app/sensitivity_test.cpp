@@ -71,6 +71,34 @@ TEST_CASE("of a growth that was stopped before it came to rest no sensitivity is
   CHECK_FALSE(std::filesystem::exists(folder / "spread.vtp"));
 }
 
+TEST_CASE("the sensitivity of a surface without a click is told, also in a replay, and none of a given one",
+          "[cli][sensitivity]") {
+  const TempFolder folder;
+  const PhantomFile ball = makePhantomFile(folder);
+  const auto segment = [&](std::vector<std::string> more) {
+    std::vector<std::string> all{"segment", ball.path, "-o", folder / "out.stl", "--quiet"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const auto requireTold = [&](const std::vector<std::string>& arguments) {
+    const Outcome told = runCli(arguments);
+    INFO(told.err);
+    REQUIRE(told.exitCode == 0);
+    const auto report = nlohmann::json::parse(readBytes(folder / "r.json"));
+    CHECK(report.at("sensitivity").at("grown") == 2);
+  };
+  REQUIRE(
+      runCli({"segment", ball.path, "--seed", ball.seed, "-o", folder / "start.stl", "--quiet"}).exitCode ==
+      0);
+  requireTold(segment({"--start", folder / "start.stl", "--sensitivity", "2", "--report", folder / "r.json",
+                       "--session", folder / "s.json"}));
+  requireTold({"replay", folder / "s.json", "-o", folder / "out.stl", "--quiet", "--sensitivity", "2",
+               "--report", folder / "r.json"});
+  std::filesystem::remove(folder / "out.stl");
+  requireRefusal(folder, segment({"--given", folder / "start.stl", "--sensitivity", "2"}), 2,
+                 "--sensitivity");
+}
+
 TEST_CASE("a sensitivity that cannot be told is refused before any work", "[cli][sensitivity]") {
   const TempFolder folder;
   const PhantomFile ball = makePhantomFile(folder);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/errors.h"
+#include "core/mesh/shapes.h"
 #include "core/volume/field_of_view.h"
 #include "tests/core/evolution/contour_support.h"
 
@@ -131,6 +132,25 @@ TEST_CASE("a growth with a constraint that names an iteration is not perturbed")
   Result result = grow(ballVolume());
   result.from.request.constraints = vetoes;
   CHECK_THROWS_AS(sensitivityOf(result.mesh, result.from, 1, 1), UsageError);
+}
+
+TEST_CASE("a growth from a surface without a click is perturbed, and what was given as it is is not") {
+  const Volume volume = noisyBall(20);
+  Constraints constraints;
+  constraints.start.emplace();
+  constraints.start->path = "ball.stl";
+  constraints.start->mesh = std::make_shared<const TriangleSoup>(icosphere(kMiddle, 6, 1.5));
+  constraints.start->inside = kMiddle;
+  ActiveContour contour(volume, {}, {}, constraints);
+  while (contour.stopReason() == StopReason::running) contour.step();
+  GrownFrom from{volume, contour.request(), contour.parameters()};
+  REQUIRE(from.request.seeds.empty());
+  const Sensitivity s = sensitivityOf(contour.mesh().compact(), from, 2, 1);
+  CHECK(s.by.noise == Approx(20).epsilon(0.15));
+  CHECK(s.grown == 2);
+  CHECK(s.sameTopology == 2);
+  from.request.constraints.start->isDone = true;
+  CHECK_THROWS_AS(sensitivityOf(contour.mesh().compact(), from, 2, 1), UsageError);
 }
 
 TEST_CASE("noise leaves padding as it is, is rounded and clamped to the voxels' type") {
