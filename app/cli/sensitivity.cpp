@@ -1,10 +1,13 @@
 #include "app/cli/sensitivity.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "core/errors.h"
 #include "core/io/report/parse.h"
+#include "core/number_text.h"
 #include "core/phase.h"
 #include "core/units.h"
 
@@ -12,7 +15,18 @@ namespace handlebody::cli {
 
 namespace {
 
-constexpr int kMaxRuns = 1000;
+constexpr int kMaxRuns = 1000, kFinestDecimals = 7;
+
+//! With so many significant digits, or all that stand before the point, and never an exponent; as the window
+//! has it.
+std::string plainly(double value, int digits) {
+  const int magnitude = value > 0 ? static_cast<int>(std::floor(std::log10(value))) : 0;
+  return printed("%.*f", std::clamp(digits - 1 - magnitude, 0, kFinestDecimals), value);
+}
+
+std::string inMillilitres(double cubicMillimetres, int digits) {
+  return plainly(cubicMillimetres / kMillilitre, digits);
+}
 
 }  // namespace
 
@@ -59,17 +73,13 @@ Sensitivity sensitivityOf(const TriangleSoup& mesh, const GrownFrom& from, const
 }
 
 std::string sensitivityText(const Sensitivity& s) {
-  char text[300];
-  if (s.grown == 0) {
-    std::snprintf(text, sizeof text, "sensitivity: none of %zu perturbed runs left a surface", s.runs.size());
-    return text;
-  }
-  std::snprintf(text, sizeof text,
-                "sensitivity: %.4g +- %.2g ml (%.4g to %.4g) in %d of %zu perturbed runs, %d with the same "
-                "topology; the surface moves by %.2g mm (95 %% of it by less than %.2g)",
-                s.mean / kMillilitre, s.deviation / kMillilitre, s.least / kMillilitre, s.most / kMillilitre,
-                s.grown, s.runs.size(), s.sameTopology, s.meanSpread, s.spread95);
-  return text;
+  const std::string runs = std::to_string(s.runs.size());
+  if (s.grown == 0) return "sensitivity: none of " + runs + " perturbed runs left a surface";
+  return "sensitivity: " + inMillilitres(s.mean, 4) + " +- " + inMillilitres(s.deviation, 2) + " ml (" +
+         inMillilitres(s.least, 4) + " to " + inMillilitres(s.most, 4) + ") in " + std::to_string(s.grown) +
+         " of " + runs + " perturbed runs, " + std::to_string(s.sameTopology) +
+         " with the same topology; the surface moves by " + plainly(s.meanSpread, 2) +
+         " mm (95 % of it by less than " + plainly(s.spread95, 2) + ")";
 }
 
 }  // namespace handlebody::cli

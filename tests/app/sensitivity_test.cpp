@@ -47,6 +47,16 @@ TEST_CASE("segment --sensitivity tells volume and spread, and leaves the result 
   CHECK(report.at("seconds").at("sensitivity").get<double>() > 0);
 }
 
+TEST_CASE("volumes of a large object are told without an exponent", "[cli][sensitivity]") {
+  const TempFolder folder;
+  const PhantomFile ball = makePhantomFile(folder);
+  const Outcome told = runCli({"segment", ball.path, "--spacing", "30,30,30", "--seed-ijk", "16,16,16,3",
+                               "-o", folder / "a.stl", "--sensitivity", "2"});
+  INFO(told.out << told.err);
+  REQUIRE(told.exitCode == 0);
+  CHECK_THAT(told.out, Contains("sensitivity: ") && !Contains("e+"));
+}
+
 TEST_CASE("of a growth that was stopped before it came to rest no sensitivity is told",
           "[cli][sensitivity]") {
   const TempFolder folder;
