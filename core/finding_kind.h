@@ -41,6 +41,7 @@ enum class FindingKind {
   runsWithoutSurface,  //!< runs, of
   otherTopology,       //!< runs, of
   volumeVaries,        //!< percent
+  volumeBesideRuns,    //!< volume_ml, least_ml, most_ml
   polishLeaves,        //!< thin_faces, sharp_edges, place; text (polish.h)
   givenWithThin,       //!< thin_faces, sharp_edges
   givenShares,         //!< voxels

@@ -134,6 +134,12 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "The volume depends on where exactly is clicked, on smoothing or noise: it changes by "
                        "{percent:0f} %")},
+    {K::volumeBesideRuns, "volume-beside-runs",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "The volume of the surface, {volume_ml:4g} ml, lies outside of those of all runs with "
+         "clicks, smoothing and noise a little different, {least_ml:4g} to {most_ml:4g} ml: they "
+         "may have found another object")},
     {K::polishLeaves, "polish-leaves", "{text}"},
     {K::givenWithThin, "given-with-thin",
      QT_TRANSLATE_NOOP("Findings",

@@ -8,6 +8,7 @@
 #include "core/object/arrival.h"
 #include "core/object/policy.h"
 #include "core/volume/field_of_view.h"
+#include "core/volume/not_a_number.h"
 
 namespace handlebody {
 
@@ -35,6 +36,22 @@ Seed moved(Seed seed, const Grid& grid, double voxels, std::mt19937_64& random) 
   return seed;
 }
 
+//! Noise has pushed voxels below the mark of those that were not a number: these become the lowest again, or
+//! nobody would know them.
+template <typename T>
+void markAgain(const T* before, T* noisy, std::size_t count) {
+  const std::optional<T> mark = notANumberIn(before, count);
+  if (!mark) return;
+  if constexpr (std::is_floating_point_v<T>) {
+    T least = std::numeric_limits<T>::infinity();
+    for (std::size_t v = 0; v < count; ++v)
+      if (before[v] != *mark) least = std::min(least, noisy[v]);
+    const T below = notANumberBelow(least);
+    for (std::size_t v = 0; v < count; ++v)
+      if (before[v] == *mark) noisy[v] = below;
+  }
+}
+
 }  // namespace
 
 double noiseNear(const Volume& volume, const Vec3& place) {
@@ -58,6 +75,7 @@ Volume withNoise(const Volume& volume, double deviation, std::mt19937_64& random
       to[v] = deviation > 0 && !(view && view->isPadding(v))
                   ? rounded<T>(static_cast<double>(in[v]) + noise(random))
                   : in[v];
+    markAgain(in, to, count);
   });
   return out;
 }

@@ -19,7 +19,8 @@ struct Perturbation {
 //! Standard deviation of the noise around a place (mm, LPS) of the volume, intensities.
 double noiseNear(const Volume& volume, const Vec3& place);
 
-//! The volume with white noise of that deviation added, rounded and clamped to its type; padding stays.
+//! The volume with white noise of that deviation added, rounded and clamped to its type; padding stays, and
+//! voxels that were not a number are still known as such (not_a_number.h).
 Volume withNoise(const Volume& volume, double deviation, std::mt19937_64& random);
 
 //! `request` as it was used, with clicks, smoothing and the ends of a given range perturbed. On one thread.

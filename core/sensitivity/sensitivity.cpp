@@ -10,12 +10,13 @@
 #include "core/solid/surface_distance.h"
 #include "core/threads.h"
 #include "core/told_error.h"
+#include "core/units.h"
 
 namespace handlebody {
 
 namespace {
 
-constexpr double kMuch = 0.1;  // standard deviation of the volume over its mean
+constexpr double kMuch = 0.1;  // of a volume
 
 int genusOf(const Certificate& c) { return std::accumulate(c.genus.begin(), c.genus.end(), 0); }
 
@@ -99,6 +100,11 @@ std::vector<Finding> sensitivityWarnings(const Sensitivity& s) {
     out.push_back({FindingKind::otherTopology, {{"runs", s.grown - s.sameTopology}, {"of", count}}});
   if (s.deviation > kMuch * s.mean)
     out.push_back({FindingKind::volumeVaries, {{"percent", std::round(100 * s.deviation / s.mean)}}});
+  if (s.grown > 0 && std::max(s.least - s.result, s.result - s.most) > kMuch * s.result)
+    out.push_back({FindingKind::volumeBesideRuns,
+                   {{"volume_ml", s.result / kMillilitre},
+                    {"least_ml", s.least / kMillilitre},
+                    {"most_ml", s.most / kMillilitre}}});
   return out;
 }
 
@@ -123,6 +129,7 @@ Sensitivity sensitivityOf(const TriangleSoup& mesh, const GrownFrom& from, int c
     if (progress) progress(ended);
   });
   const Certificate result = examine(mesh);
+  out.result = result.volume;
   for (const Grown& g : all) {
     out.runs.push_back(g.run);
     out.sameTopology +=

@@ -26,13 +26,14 @@ struct Sensitivity {
   int grown = 0;         //!< of them; the figures below are over these, 0 if there are none
   int sameTopology = 0;  //!< as many components and tunnels as the result
   double mean = 0, deviation = 0, least = 0, most = 0;  //!< volumes, mm³; deviation: standard, of one run
+  double result = 0;                                    //!< mm³: the volume of the result itself
   //! Per vertex of the result: root mean square of its distances to the runs' surfaces, mm.
   std::vector<double> spread;
   double meanSpread = 0, spread95 = 0, largestSpread = 0;  //!< mm, over the vertices
 };
 
 //! The warnings of a result: runs that left no surface, another topology, a volume that changes by
-//! more than a tenth.
+//! more than a tenth, or that is more than a tenth of itself beyond those of all runs.
 std::vector<Finding> sensitivityWarnings(const Sensitivity& s);
 
 //! What is grown again.

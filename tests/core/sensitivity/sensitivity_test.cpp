@@ -5,8 +5,10 @@
 #include <set>
 
 #include "core/errors.h"
+#include "core/indices.h"
 #include "core/mesh/shapes.h"
 #include "core/volume/field_of_view.h"
+#include "core/volume/not_a_number.h"
 #include "tests/core/evolution/contour_support.h"
 
 using namespace handlebody;
@@ -108,7 +110,7 @@ TEST_CASE("doubts about another topology and a volume that changes") {
   s.runs.resize(10);
   s.grown = 10;
   s.sameTopology = 7;
-  s.mean = 100;
+  s.mean = s.least = s.most = s.result = 100;
   s.deviation = 25;
   const auto warnings = sentences(sensitivityWarnings(s));
   REQUIRE(warnings.size() == 2);
@@ -117,6 +119,28 @@ TEST_CASE("doubts about another topology and a volume that changes") {
   s.sameTopology = 10;
   s.deviation = 5;
   CHECK(sensitivityWarnings(s).empty());
+}
+
+TEST_CASE("a result whose volume is far beyond those of all runs is doubted, one a little beyond is not") {
+  Sensitivity s;
+  s.runs.resize(3);
+  s.grown = s.sameTopology = 3;
+  s.mean = 7100;
+  s.least = 7000;
+  s.most = 7200;
+  for (const double fine : {6500.0, 7100.0, 7900.0}) {
+    s.result = fine;
+    CHECK(sensitivityWarnings(s).empty());
+  }
+  for (const double doubtful : {6000.0, 9000.0}) {
+    s.result = doubtful;
+    const auto warnings = sensitivityWarnings(s);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].kind == FindingKind::volumeBesideRuns);
+    CHECK(warnings[0].number("volume_ml") == Approx(doubtful / 1000));
+    CHECK(warnings[0].number("least_ml") == Approx(7));
+    CHECK(warnings[0].number("most_ml") == Approx(7.2));
+  }
 }
 
 TEST_CASE("a growth with a constraint that names an iteration is not perturbed") {
@@ -174,6 +198,26 @@ TEST_CASE("noise leaves padding as it is, is rounded and clamped to the voxels' 
   }
   CHECK(changed > 5000);
   CHECK(clamped > 1000);
+}
+
+TEST_CASE("voxels that were not a number are still known after noise that goes below their mark") {
+  const Grid grid = cubicGrid(20);
+  const auto isNone = [](int v) { return v % 20 > 8 && v % 20 < 12; };
+  void* buffer = nullptr;
+  const Volume volume = makeVolume(grid, VoxelType::float32, &buffer);
+  auto* voxels = static_cast<float*>(buffer);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<float> any(-100, 100);
+  float least = 200;
+  for (int v = 0; v < 8000; ++v) least = std::min(least, voxels[v] = any(random));
+  for (int v = 0; v < 8000; ++v)
+    if (isNone(v)) voxels[v] = notANumberBelow(least);
+  const Volume noisy = withNoise(volume, 30, random);
+  const auto* out = noisy.data<float>();
+  REQUIRE(*std::min_element(out, out + 8000) < least - 30);
+  const auto view = FieldOfView::find(noisy);
+  REQUIRE(view);
+  for (int v = 0; v < 8000; ++v) CHECK(view->isPadding(idx(v)) == isNone(v));
 }
 
 TEST_CASE("clicks move by a voxel at most and stay in the volume") {
