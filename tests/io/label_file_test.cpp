@@ -102,6 +102,31 @@ TEST_CASE("numbers of a further layer go on behind the largest value of those be
   CHECK(labelCalled(folder / "l.seg.nrrd", "right") == 9);
 }
 
+TEST_CASE("segments of an older 3D Slicer, which says neither values nor layers, are no time points",
+          "[labels]") {
+  const TemporaryFolder folder;
+  std::vector<test::Segment> segments = threeSegments();
+  for (test::Segment& s : segments) {  // each in a layer of its own
+    s.layer.reset();
+    s.value = 1;
+  }
+  writeLayers(segments, someGrid(), folder / "l.seg.nrrd", true);
+  LabelFile file(folder / "l.seg.nrrd");
+  CHECK(file.info().layers == 3);
+  CHECK(file.info().frames == 1);
+  const std::vector<NamedLabel> labels = file.labels();
+  REQUIRE(labels.size() == 3);
+  const std::size_t counts[] = {15 * 13 * 4, 5 * 13 * 4, 5 * 12 * 4};
+  for (int l = 0; l < 3; ++l) {
+    const auto at = static_cast<std::size_t>(l);
+    CHECK(labels[at].value == l + 1);
+    CHECK(labels[at].name == segments[at].name);
+    CHECK(labels[at].colour.has_value());
+    CHECK(file.mask(l + 1).count() == counts[at]);
+  }
+  CHECK(labelCalled(folder / "l.seg.nrrd", "right") == 3);
+}
+
 TEST_CASE("a name that a file has not, or twice, is refused with those that it has", "[labels]") {
   const TemporaryFolder folder;
   const std::string path = folder / "l.seg.nrrd";

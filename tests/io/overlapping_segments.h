@@ -33,8 +33,10 @@ void forEachVoxel(const Grid& grid, F&& f) {
       for (int i = 0; i < grid.size[0]; ++i) f(Vec3(i, j, k));
 }
 
-//! As 3D Slicer writes them, of voxels of 1 mm with the origin at voxel 0.
-inline void writeLayers(std::vector<Segment> segments, const Grid& grid, const std::string& path) {
+//! As 3D Slicer writes them, of voxels of 1 mm with the origin at voxel 0; an older one, `isOld`, says
+//! neither value nor layer of a segment.
+inline void writeLayers(std::vector<Segment> segments, const Grid& grid, const std::string& path,
+                        bool isOld = false) {
   int layers = 1;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (!segments[s].layer) segments[s].layer = static_cast<int>(s);
@@ -48,10 +50,12 @@ inline void writeLayers(std::vector<Segment> segments, const Grid& grid, const s
          "space origin: (0,0,0)\n";
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const std::string key = "Segment" + std::to_string(s) + '_';
-    file << key << "LabelValue:=" << segments[s].value << '\n'
-         << key << "Layer:=" << *segments[s].layer << '\n'
-         << key << "Name:=" << segments[s].name << '\n'
-         << key << "Color:=" << segments[s].colour << '\n';
+    if (isOld)
+      file << key << "ID:=Segment_" << s + 1 << '\n';
+    else
+      file << key << "LabelValue:=" << segments[s].value << '\n'
+           << key << "Layer:=" << *segments[s].layer << '\n';
+    file << key << "Name:=" << segments[s].name << '\n' << key << "Color:=" << segments[s].colour << '\n';
   }
   file << '\n';
   forEachVoxel(grid, [&](const Vec3& index) {

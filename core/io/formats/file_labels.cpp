@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <string_view>
 
 #include "core/errors.h"
@@ -104,22 +105,37 @@ struct Segment {
   FileLabel label{};
 };
 
+//! The number of the segment that a key speaks of, "Segment3_Name".
+std::optional<int> segmentOf(std::string_view key) {
+  constexpr std::string_view kBegin = "Segment";
+  if (!key.starts_with(kBegin)) return std::nullopt;
+  const std::string_view digits = part(key.substr(kBegin.size()), '_', 0);
+  const std::optional<int> found = number<int>(digits);
+  return found && std::to_string(*found) == digits ? found : std::nullopt;
+}
+
+//! Older files say neither value nor layer: each segment is 1 in a layer of its own.
+std::optional<Segment> segmentIn(const Keys& keys, int segment) {
+  const std::string begin = "Segment" + std::to_string(segment) + '_';
+  const auto said = [&](const char* what) {
+    const auto found = keys.find(begin + what);
+    return found == keys.end() ? std::string() : found->second;
+  };
+  const bool isOld = !keys.contains(begin + "LabelValue");
+  const std::optional<int> value = isOld ? 1 : number<int>(said("LabelValue"));
+  const int layer = number<int>(said("Layer")).value_or(isOld ? segment : 0);
+  if (!value || std::abs(*value) > kLargestValue || layer < 0 || layer > kMaxLayers) return std::nullopt;
+  return Segment{static_cast<std::size_t>(layer), *value, labelOf(said("Name"), said("Color"), said("Tags"))};
+}
+
 std::vector<Segment> segmentsIn(const std::string& path) {
   const Keys keys = keysOf(path);
+  std::set<int> numbers;
+  for (const auto& [key, text] : keys)
+    if (const std::optional<int> segment = segmentOf(key)) numbers.insert(*segment);
   std::vector<Segment> segments;
-  for (const auto& [key, text] : keys) {
-    if (!key.starts_with("Segment") || !key.ends_with("_LabelValue")) continue;
-    const std::string segment = key.substr(0, key.find('_') + 1);
-    const auto said = [&, segment](const char* what) {
-      const auto found = keys.find(segment + what);
-      return found == keys.end() ? std::string() : found->second;
-    };
-    const std::optional<int> value = number<int>(text);
-    const int layer = number<int>(said("Layer")).value_or(0);
-    if (!value || std::abs(*value) > kLargestValue || layer < 0 || layer > kMaxLayers) continue;
-    segments.push_back(
-        {static_cast<std::size_t>(layer), *value, labelOf(said("Name"), said("Color"), said("Tags"))});
-  }
+  for (const int number : numbers)
+    if (std::optional<Segment> segment = segmentIn(keys, number)) segments.push_back(*std::move(segment));
   return segments;
 }
 

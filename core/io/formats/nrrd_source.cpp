@@ -33,10 +33,17 @@ class NrrdSource : public VolumeSource {
   std::uint64_t all_ = 0;  // bytes of all time points
 };
 
+//! What 3D Slicer says of segments, which older ones do without LabelValue and Layer.
+bool saysSegments(const NrrdFields& fields) {
+  return std::any_of(fields.keys.begin(), fields.keys.end(), [](const auto& key) {
+    return key.first.starts_with("Segment0_") || key.first.starts_with("Segmentation_");
+  });
+}
+
 NrrdSource::NrrdSource(const std::string& path) : path_(path), fields_(readNrrdFields(path)) {
   if (fields_.sequence) refuseInput(path, FindingKind::trackedFrames);
   layout_ = interpretNrrd(fields_, path, header_);
-  header_.hasLayers = header_.frames > 1 && fields_.keys.count("Segment0_LabelValue") > 0;
+  header_.hasLayers = header_.frames > 1 && saysSegments(fields_);
   checkHeader(header_, path);
   for (const std::string& file : fields_.dataFiles)
     if (!fs::is_regular_file(file)) refuseInput(path, {FindingKind::dataFileMissing, {{"data", file}}});
