@@ -106,6 +106,34 @@ TEST_CASE("a segmentation that is read back holds the same voxels at the same pl
       }
 }
 
+TEST_CASE("a segmentation of an object in one slice is read back, with an empty slice behind") {
+  const Source source;
+  const Grid& grid = source.grid();
+  void* buffer = nullptr;
+  const Volume labels = makeVolume(grid, VoxelType::uint8, &buffer);
+  auto* written = static_cast<std::uint8_t*>(buffer);
+  std::fill_n(written, grid.voxelCount(), std::uint8_t{0});
+  for (const int v : {4 * 35 + 9, 4 * 35 + 10, 4 * 35 + 16}) written[v] = 3;
+  const std::string path = source.folder / "out.seg.dcm";
+  writeDicomSegmentation(labels, {twoOrgans()[0]}, source.origin(), {}, path);
+  const auto expectSlab = [&] {
+    const Volume back = readVolume(path);
+    REQUIRE(back.grid.size == std::array{7, 5, 2});
+    CHECK((back.grid.spacing - grid.spacing).norm() < 1e-6);
+    CHECK((grid.toIndex(back.grid.toWorld(Vec3(0, 0, 0))) - Vec3(0, 0, 4)).norm() < 1e-4);
+    const auto* read = back.data<std::uint8_t>();
+    for (int v = 0; v < 70; ++v) CHECK(read[v] == (v < 35 && written[4 * 35 + v] == 3 ? 1 : 0));
+  };
+  expectSlab();
+  // Not all state the distance of slices where there is one; the slice is as thick as they say.
+  std::string bytes = readBytes(path);
+  const std::size_t distance = bytes.find(std::string("\x18\0\x88\0DS", 6));
+  REQUIRE(distance != std::string::npos);
+  bytes[distance + 2] = '\x89';  // an element that nobody knows
+  writeBytes(path, bytes);
+  expectSlab();
+}
+
 TEST_CASE(
     "a segmentation that leaves slices out and does not state their distance says what is taken for it") {
   const Source source;

@@ -142,8 +142,9 @@ void SegmentationSource::setGrid() {
 //! so, if slices are not as thick as frames are apart.
 double SegmentationSource::pitchOf(double leastStep) {
   if (file_.sliceDistance && *file_.sliceDistance > kSamePlace) return *file_.sliceDistance;
-  if (leastStep <= 0) refuse(FindingKind::sliceDistanceUnknown);
   const double thickness = file_.sliceThickness.value_or(0);
+  if (leastStep <= 0 && thickness > kSamePlace) return thickness;  // all frames lie in one slice
+  if (leastStep <= 0) refuse(FindingKind::sliceDistanceUnknown);
   if (thickness > kSamePlace && std::abs(leastStep - thickness) > kOtherThickness * thickness)
     header_.warnings.push_back(
         {FindingKind::sliceDistanceGuessed, {{"spacing_mm", leastStep}, {"thickness_mm", thickness}}});
@@ -159,9 +160,11 @@ void SegmentationSource::setSlices(double pitch) {
     slice_.push_back(static_cast<int>(std::lround(a / pitch)));
   }
   Grid& grid = header_.grid;
-  grid.size = {file_.columns, file_.rows, static_cast<int>(std::lround(highest / pitch)) + 1};
+  const int slices = static_cast<int>(std::lround(highest / pitch)) + 1;
+  // Empty slices need not be written: one alone has an empty one behind it, which makes it a volume.
+  grid.size = {file_.columns, file_.rows, std::max(2, slices)};
   // The stated distance is rounded; over all slices the positions are better.
-  grid.spacing.z() = grid.size[2] > 1 ? highest / (grid.size[2] - 1) : pitch;
+  grid.spacing.z() = slices > 1 ? highest / (slices - 1) : pitch;
   const char* const kMeasures = "Pixel Measures: PixelSpacing, SpacingBetweenSlices (0028,0030; 0018,0088)";
   header_.sources = {"Rows, Columns (0028,0010; 0028,0011) and the frames",
                      {kMeasures, kMeasures, "Plane Position (0020,0032)"},
