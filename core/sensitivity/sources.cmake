@@ -1,2 +1,3 @@
-target_sources(handlebody_core PRIVATE ${CMAKE_SOURCE_DIR} / core / sensitivity /
-               perturbation.cpp ${CMAKE_SOURCE_DIR} / core / sensitivity / sensitivity.cpp)
+target_sources(handlebody_core PRIVATE
+  ${CMAKE_SOURCE_DIR}/core/sensitivity/perturbation.cpp
+  ${CMAKE_SOURCE_DIR}/core/sensitivity/sensitivity.cpp)
