@@ -60,7 +60,7 @@
         <translation>Der Außenpunkt bei {place:1f} mm liegt außerhalb des Bildvolumens.</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object's range is {low:4g} to {high:4g}.</source>
         <translation>Der Startpunkt bei {place:1f} mm liegt nicht im Objekt: die geglättete Intensität ist dort {intensity:4g}, der Bereich des Objekts reicht von {low:4g} bis {high:4g}.</translation>
     </message>
     <message>
@@ -124,7 +124,7 @@
         <translation>Das Volumen hängt davon ab, wo genau geklickt wird, von Glättung oder Rauschen: es ändert sich um {percent:0f} %</translation>
     </message>
     <message>
-        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
+        <source>The surface was made with an earlier one of the object '{object}', and a replay may make another</source>
         <translation>Die Oberfläche wurde mit einer früheren des Objekts „{object}“ gemacht, und eine Wiederholung ergibt womöglich eine andere</translation>
     </message>
     <message>
@@ -372,7 +372,7 @@
         <translation>Die Kantenlänge von {edge_mm} mm ist zu kurz für die Startpunkte: ihre Oberfläche allein hätte über zwei Millionen Dreiecke.</translation>
     </message>
     <message>
-        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
+        <source>The seed at {place} mm lies in the object '{object}', which is done already.</source>
         <translation>Der Startpunkt bei {place} mm liegt im Objekt „{object}“, das schon fertig ist.</translation>
     </message>
     <message>
@@ -396,7 +396,7 @@
         <translation>Die Wand bei {place} mm liegt über Oberfläche, die schon da ist: gehen Sie zurück vor die Stelle, an der sie dorthin kam, oder lassen Sie die Oberfläche sich in beide Richtungen bewegen.</translation>
     </message>
     <message>
-        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
+        <source>The object '{object}' lies over surface that is already there: go back to before it came in there.</source>
         <translation>Das Objekt „{object}“ liegt über Oberfläche, die schon da ist: gehen Sie zurück vor die Stelle, an der sie dorthin kam.</translation>
     </message>
     <message>
@@ -588,7 +588,7 @@
         <translation>{file} kann nicht für Wände verwendet werden: die Labelkarte hat {size} Voxel, das Bildvolumen {volume}.</translation>
     </message>
     <message>
-        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume&apos;s.</source>
+        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume's.</source>
         <translation>{file} kann nicht für Wände verwendet werden: Abstand, Ursprung oder Richtung sind nicht die des Bildvolumens.</translation>
     </message>
     <message>
@@ -1348,11 +1348,11 @@
         <translation>Die Anfangsoberfläche kann unterwegs keine andere werden: beginnen Sie von vorn.</translation>
     </message>
     <message>
-        <source>The object &apos;{object}&apos; has no mesh that could be a wall.</source>
+        <source>The object '{object}' has no mesh that could be a wall.</source>
         <translation>Das Objekt „{object}“ hat kein Netz, das eine Wand sein könnte.</translation>
     </message>
     <message>
-        <source>The label map of the walls has not the volume&apos;s size.</source>
+        <source>The label map of the walls has not the volume's size.</source>
         <translation>Die Labelkarte der Wände hat nicht die Größe des Bildvolumens.</translation>
     </message>
     <message>
@@ -1400,11 +1400,11 @@
         <translation>der Abstand wurde von Hand eingegeben, nicht von der Serie angegeben</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; is longer than 64 bytes</source>
+        <source>'{text}' is longer than 64 bytes</source>
         <translation>„{text}“ ist länger als 64 Byte</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; holds a control character or a backslash</source>
+        <source>'{text}' holds a control character or a backslash</source>
         <translation>„{text}“ enthält ein Steuerzeichen oder einen Backslash</translation>
     </message>
     <message>
@@ -1412,11 +1412,11 @@
         <translation>die Labelkarte liegt nicht auf dem Gitter der Serie</translation>
     </message>
     <message>
-        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian&apos;s packages are gmsh and tetgen)</source>
+        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian's packages are gmsh and tetgen)</source>
         <translation>Tetraeder machen gmsh oder TetGen, und keines der beiden Programme ist installiert (die Debian-Pakete heißen gmsh und tetgen)</translation>
     </message>
     <message>
-        <source>there are no tetrahedra of the object &apos;{object}&apos;: {cause}.</source>
+        <source>there are no tetrahedra of the object '{object}': {cause}.</source>
         <translation>vom Objekt „{object}“ gibt es keine Tetraeder: {cause}.</translation>
     </message>
     <message>
@@ -1748,15 +1748,15 @@
         <translation>Labels der angegebenen Karte überlappen sich: {voxels:0f} Voxel von diesem sind kleineren überlassen, die sie auch enthalten</translation>
     </message>
     <message>
-        <source>it has no label called &apos;{name}&apos;; it has: {names}</source>
+        <source>it has no label called '{name}'; it has: {names}</source>
         <translation>darin heißt kein Label „{name}“; es gibt: {names}</translation>
     </message>
     <message>
-        <source>it has no label called &apos;{name}&apos;: it names none</source>
+        <source>it has no label called '{name}': it names none</source>
         <translation>darin heißt kein Label „{name}“: sie nennt keine Namen</translation>
     </message>
     <message>
-        <source>it has several labels called &apos;{name}&apos;: their number tells them apart</source>
+        <source>it has several labels called '{name}': their number tells them apart</source>
         <translation>darin heißen mehrere Labels „{name}“: ihre Nummer unterscheidet sie</translation>
     </message>
     <message>
@@ -1768,7 +1768,7 @@
         <translation>hat {tunnels:0f} Tunnel, und kein Schließen oder Öffnen lässt höchstens {most:0f} übrig</translation>
     </message>
     <message>
-        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
+        <source>The surface to begin with, {file}, meets the object '{object}', which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
         <translation>Die Anfangsoberfläche {file} trifft auf das Objekt „{object}“, das vor ihr kommt. Labels einer Karte, die sich berühren, werden auseinandergehalten, wenn sie zusammen geöffnet werden, mit gleicher Glättung, gleichem größten Teil und gleichen Tunneln.</translation>
     </message>
     <message>
@@ -1992,87 +1992,87 @@
         <translation>eine Liste</translation>
     </message>
     <message>
-        <source>it has no field &apos;{field}&apos;.</source>
+        <source>it has no field '{field}'.</source>
         <translation>ihr fehlt das Feld „{field}“.</translation>
     </message>
     <message>
-        <source>this version does not know its field &apos;{field}&apos;.</source>
+        <source>this version does not know its field '{field}'.</source>
         <translation>diese Version kennt das Feld „{field}“ darin nicht.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a JSON object.</source>
+        <source>its field '{field}' is not a JSON object.</source>
         <translation>das Feld „{field}“ darin ist kein JSON-Objekt.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a list.</source>
+        <source>its field '{field}' is not a list.</source>
         <translation>das Feld „{field}“ darin ist keine Liste.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; must have {needed:0f} entries; it has {count:0f}.</source>
+        <source>its field '{field}' must have {needed:0f} entries; it has {count:0f}.</source>
         <translation>das Feld „{field}“ darin muss {needed:0f} Einträge haben; es hat {count:0f}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a text.</source>
+        <source>its field '{field}' is not a text.</source>
         <translation>das Feld „{field}“ darin ist kein Text.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, neither true nor false.</source>
+        <source>its field '{field}' is {value}, neither true nor false.</source>
         <translation>das Feld „{field}“ darin ist {value}, weder true noch false.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, not a number.</source>
+        <source>its field '{field}' is {value}, not a number.</source>
         <translation>das Feld „{field}“ darin ist {value}, keine Zahl.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, not a whole number in range.</source>
+        <source>its field '{field}' is {value}, not a whole number in range.</source>
         <translation>das Feld „{field}“ darin ist {value}, keine ganze Zahl im möglichen Bereich.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be at least {least}.</source>
+        <source>its field '{field}' is {value}, and must be at least {least}.</source>
         <translation>das Feld „{field}“ darin ist {value} und muss mindestens {least} sein.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be above {least}.</source>
+        <source>its field '{field}' is {value}, and must be above {least}.</source>
         <translation>das Feld „{field}“ darin ist {value} und muss über {least} liegen.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be from {least:0f} to {most:0f}.</source>
+        <source>its field '{field}' is {value}, and must be from {least:0f} to {most:0f}.</source>
         <translation>das Feld „{field}“ darin ist {value} und muss zwischen {least:0f} und {most:0f} liegen.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is &apos;{value}&apos;, a word that this version does not know.</source>
+        <source>its field '{field}' is '{value}', a word that this version does not know.</source>
         <translation>das Feld „{field}“ darin ist „{value}“, ein Wort, das diese Version nicht kennt.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is empty.</source>
+        <source>its field '{field}' is empty.</source>
         <translation>das Feld „{field}“ darin ist leer.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is no range: its lower end is above its upper end.</source>
+        <source>its field '{field}' is no range: its lower end is above its upper end.</source>
         <translation>das Feld „{field}“ darin ist kein Bereich: sein unteres Ende liegt über dem oberen.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not above that of the entry before it.</source>
+        <source>its field '{field}' is not above that of the entry before it.</source>
         <translation>das Feld „{field}“ darin liegt nicht über dem des Eintrags davor.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is 0, which is no label.</source>
+        <source>its field '{field}' is 0, which is no label.</source>
         <translation>das Feld „{field}“ darin ist 0, was kein Label ist.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is a vector of no length.</source>
+        <source>its field '{field}' is a vector of no length.</source>
         <translation>das Feld „{field}“ darin ist ein Vektor der Länge null.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
+        <source>its field '{field}' cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
         <translation>das Feld „{field}“ darin kann kein Objekt benennen: ein Name hat 1 bis {most:0f} Zeichen, keine Steuerzeichen und keines von {separators}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; has a code that is empty, too long, or holds what separates codes.</source>
+        <source>its field '{field}' has a code that is empty, too long, or holds what separates codes.</source>
         <translation>das Feld „{field}“ darin hat einen Code, der leer oder zu lang ist oder ein Zeichen enthält, das Codes trennt.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is a name that cannot be written into files.</source>
+        <source>its field '{field}' is a name that cannot be written into files.</source>
         <translation>das Feld „{field}“ darin ist ein Name, der nicht in Dateien geschrieben werden kann.</translation>
     </message>
     <message>
@@ -2170,6 +2170,22 @@
     <message>
         <source>The header does not state the distance of the slices: {spacing_mm:4g} mm are taken, the least between its frames, though a slice is {thickness_mm:4g} mm thick. Slices may be left out.</source>
         <translation>Der Header nennt den Abstand der Schichten nicht: Angenommen werden {spacing_mm:4g} mm, der kleinste zwischen seinen Bildern, obwohl eine Schicht {thickness_mm:4g} mm dick ist. Schichten können ausgelassen sein.</translation>
+    </message>
+    <message>
+        <source>the veto of iteration {iteration:0f} forbids nothing: the mesh is that of iteration {mesh_iteration:0f}</source>
+        <translation>das Veto für Iteration {iteration:0f} verbietet nichts: das Netz ist das von Iteration {mesh_iteration:0f}</translation>
+    </message>
+    <message>
+        <source>the edit of iteration {iteration:0f} is not made: the mesh is that of iteration {mesh_iteration:0f}</source>
+        <translation>die Bearbeitung von Iteration {iteration:0f} ist nicht gemacht: das Netz ist das von Iteration {mesh_iteration:0f}</translation>
+    </message>
+    <message>
+        <source>The volume of the surface, {volume_ml:4g} ml, lies outside of those of all runs with clicks, smoothing and noise a little different, {least_ml:4g} to {most_ml:4g} ml: they may have found another object</source>
+        <translation>Das Volumen der Oberfläche, {volume_ml:4g} ml, liegt außerhalb derer aller Läufe mit etwas anderen Klicks, anderer Glättung und anderem Rauschen, {least_ml:4g} bis {most_ml:4g} ml: sie haben vielleicht ein anderes Objekt gefunden</translation>
+    </message>
+    <message>
+        <source>The sensitivity cannot be told of a surface that was given as it is: there is no growth to repeat.</source>
+        <translation>Von einer Oberfläche, die so gegeben wurde, wie sie ist, lässt sich keine Empfindlichkeit angeben: es gibt kein Wachstum, das zu wiederholen wäre.</translation>
     </message>
 </context>
 <context>
@@ -2567,7 +2583,7 @@
         <translation>Von &amp;links</translation>
     </message>
     <message>
-        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
+        <source>3D view: look from the patient's left; with the 3D view in focus</source>
         <translation>3D-Ansicht: von der linken Seite des Patienten; wenn die 3D-Ansicht den Fokus hat</translation>
     </message>
     <message>
@@ -2583,7 +2599,7 @@
         <translation>&amp;Wände und Fixierungen</translation>
     </message>
     <message>
-        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
+        <source>Draw the active object's walls, and what of its surface is pinned</source>
         <translation>Die Wände des aktiven Objekts zeichnen und was von seiner Oberfläche fixiert ist</translation>
     </message>
     <message>
@@ -2711,7 +2727,7 @@
         <translation>&amp;Mit Kanten</translation>
     </message>
     <message>
-        <source>The triangles&apos; edges are drawn</source>
+        <source>The triangles' edges are drawn</source>
         <translation>Die Kanten der Dreiecke werden gezeichnet</translation>
     </message>
     <message>
@@ -2987,7 +3003,7 @@
         <translation>Durch &amp;Ziehen verformen</translation>
     </message>
     <message>
-        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush's radius less and less, as the next step</source>
         <translation>Einen Punkt der Oberfläche ziehen, in einer Schicht oder in 3D: er geht dorthin, und was im Pinselradius liegt, immer weniger mit, als nächster Schritt</translation>
     </message>
     <message>
@@ -3800,6 +3816,14 @@ Mittel ± SA</translation>
         <source>3MF files</source>
         <translation>3MF-Dateien</translation>
     </message>
+    <message>
+        <source>the outer surface</source>
+        <translation>der äußeren Oberfläche</translation>
+    </message>
+    <message>
+        <source>the cavities</source>
+        <translation>den Hohlräumen</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -4397,6 +4421,26 @@ Mittel ± SA</translation>
         <source>%1 cannot be written: it would be a part of the volume that is open. Choose another folder or name.</source>
         <translation>%1 kann nicht geschrieben werden: es wäre ein Teil des geöffneten Volumens. Wählen Sie einen anderen Ordner oder Namen.</translation>
     </message>
+    <message>
+        <source>A session keeps work over time of one object only: save this one, then open the volume anew to have several objects.</source>
+        <translation>Eine Sitzung behält Arbeit über die Zeit nur von einem Objekt: speichern Sie diese, und öffnen Sie dann das Volumen neu, um mehrere Objekte zu haben.</translation>
+    </message>
+    <message>
+        <source>“%1” still grows: wait until it is at rest, or pause it.</source>
+        <translation>„%1“ wächst noch: warten Sie, bis es ruht, oder halten Sie es an.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: the open work is read from it. Choose another folder or name.</source>
+        <translation>%1 kann nicht geschrieben werden: die offene Arbeit wird daraus gelesen. Wählen Sie einen anderen Ordner oder Namen.</translation>
+    </message>
+    <message>
+        <source>Work over time is left out while there are several objects: delete all but one to keep it.</source>
+        <translation>Arbeit über die Zeit wird ausgelassen, solange es mehrere Objekte gibt: löschen Sie alle bis auf eines, um sie zu behalten.</translation>
+    </message>
+    <message>
+        <source>“%1” is locked: unlock it to grow in another frame.</source>
+        <translation>„%1“ ist gesperrt: entsperren Sie es, um in einem anderen Zeitpunkt wachsen zu lassen.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>
@@ -4647,11 +4691,11 @@ Mittel ± SA</translation>
         <translation>RAS</translation>
     </message>
     <message>
-        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
+        <source>x to the patient's left, y to the back, as in DICOM and ITK</source>
         <translation>x zur linken Seite des Patienten, y nach hinten, wie in DICOM und ITK</translation>
     </message>
     <message>
-        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
+        <source>x to the patient's right, y to the front, as in NIfTI and 3D Slicer</source>
         <translation>x zur rechten Seite des Patienten, y nach vorn, wie in NIfTI und 3D Slicer</translation>
     </message>
     <message>
@@ -4847,7 +4891,7 @@ Mittel ± SA</translation>
         <translation>Labelbeschreibung für ITK-SNAP</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume's. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
         <translation>DICOM-Dateien, Bericht und Maße werden ohne Patient, Studie, Daten und Dateinamen geschrieben, und die vorgeschlagenen Namen verraten nicht den des Volumens. Statt die Sitzung zu speichern, wird eine exportiert, die nicht sagt, wo ihr Volumen liegt: Beim Öffnen fragt sie danach.</translation>
     </message>
     <message>
@@ -5353,11 +5397,11 @@ Mittel ± SA</translation>
 <context>
     <name>handlebody::ui::HistogramView</name>
     <message>
-        <source>Histogram with the object&apos;s range</source>
+        <source>Histogram with the object's range</source>
         <translation>Histogramm mit dem Bereich des Objekts</translation>
     </message>
     <message>
-        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object's range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Wie oft jede Intensität vorkommt (Quadratwurzel). Ziehen Sie die Enden des Objektbereichs; mit der Tastatur: Auf und Ab wählen ein Ende, Links und Rechts bewegen es.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -5688,6 +5732,18 @@ Mittel ± SA</translation>
     <message>
         <source>&amp;Over time</source>
         <translation>Ü&amp;ber die Zeit</translation>
+    </message>
+    <message>
+        <source>These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?</source>
+        <translation>Auch diese Objekte verlieren ihre Oberflächen, und Rückgängig bringt sie nicht zurück: %1. In diesem Zeitpunkt wachsen lassen?</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished">, </translation>
+    </message>
+    <message>
+        <source>Grow in this frame</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
@@ -6177,11 +6233,11 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
 <context>
     <name>handlebody::ui::OpenPanel</name>
     <message>
-        <source>along the patient&apos;s axes</source>
+        <source>along the patient's axes</source>
         <translation>entlang der Achsen des Patienten</translation>
     </message>
     <message>
-        <source>oblique: slices follow the volume&apos;s own axes</source>
+        <source>oblique: slices follow the volume's own axes</source>
         <translation>schräg: die Schichten folgen den Achsen des Bildvolumens</translation>
     </message>
     <message>
@@ -7300,7 +7356,7 @@ oder eine Datei hier ablegen</translation>
         <translation>Nahe Ecken werden in einer sortierten Tabelle gefunden. Die Oberfläche hängt nicht davon ab</translation>
     </message>
     <message>
-        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
+        <source>Near vertices are found by the paper's eight hash functions: slower, the same surface</source>
         <translation>Nahe Ecken werden mit den acht Hashfunktionen des Artikels gefunden: langsamer, dieselbe Oberfläche</translation>
     </message>
     <message>

@@ -60,7 +60,7 @@
         <translation>El punto exterior en {place:1f} mm está fuera del volumen.</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object's range is {low:4g} to {high:4g}.</source>
         <translation>La semilla en {place:1f} mm no está en el objeto: la intensidad suavizada allí es {intensity:4g}, el intervalo del objeto va de {low:4g} a {high:4g}.</translation>
     </message>
     <message>
@@ -124,7 +124,7 @@
         <translation>El volumen depende de dónde se hace clic exactamente, del suavizado o del ruido: varía un {percent:0f} %</translation>
     </message>
     <message>
-        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
+        <source>The surface was made with an earlier one of the object '{object}', and a replay may make another</source>
         <translation>La superficie se hizo con una anterior del objeto «{object}», y una repetición puede dar otra</translation>
     </message>
     <message>
@@ -372,7 +372,7 @@
         <translation>La longitud de arista de {edge_mm} mm es demasiado corta para las semillas: solo su superficie tendría más de dos millones de triángulos.</translation>
     </message>
     <message>
-        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
+        <source>The seed at {place} mm lies in the object '{object}', which is done already.</source>
         <translation>La semilla en {place} mm está en el objeto «{object}», que ya está terminado.</translation>
     </message>
     <message>
@@ -396,7 +396,7 @@
         <translation>La barrera en {place} mm está sobre superficie que ya está allí: vuelva a antes de que llegara, o deje que la superficie se mueva en ambos sentidos.</translation>
     </message>
     <message>
-        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
+        <source>The object '{object}' lies over surface that is already there: go back to before it came in there.</source>
         <translation>El objeto «{object}» está sobre superficie que ya está allí: vuelva a antes de que llegara.</translation>
     </message>
     <message>
@@ -588,7 +588,7 @@
         <translation>{file} no puede servir de barreras: tiene {size} vóxeles, el volumen {volume}.</translation>
     </message>
     <message>
-        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume&apos;s.</source>
+        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume's.</source>
         <translation>{file} no puede servir de barreras: su espaciado, su origen o su dirección no son los del volumen.</translation>
     </message>
     <message>
@@ -1348,11 +1348,11 @@
         <translation>La superficie inicial no puede convertirse en otra sobre la marcha: empiece de nuevo.</translation>
     </message>
     <message>
-        <source>The object &apos;{object}&apos; has no mesh that could be a wall.</source>
+        <source>The object '{object}' has no mesh that could be a wall.</source>
         <translation>El objeto «{object}» no tiene malla que pueda ser una barrera.</translation>
     </message>
     <message>
-        <source>The label map of the walls has not the volume&apos;s size.</source>
+        <source>The label map of the walls has not the volume's size.</source>
         <translation>El mapa de etiquetas de las barreras no tiene el tamaño del volumen.</translation>
     </message>
     <message>
@@ -1400,11 +1400,11 @@
         <translation>su espaciado lo dio el usuario, no la serie</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; is longer than 64 bytes</source>
+        <source>'{text}' is longer than 64 bytes</source>
         <translation>«{text}» supera los 64 bytes</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; holds a control character or a backslash</source>
+        <source>'{text}' holds a control character or a backslash</source>
         <translation>«{text}» contiene un carácter de control o una barra invertida</translation>
     </message>
     <message>
@@ -1412,11 +1412,11 @@
         <translation>el mapa de etiquetas no está en la cuadrícula de la serie</translation>
     </message>
     <message>
-        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian&apos;s packages are gmsh and tetgen)</source>
+        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian's packages are gmsh and tetgen)</source>
         <translation>los tetraedros los hacen gmsh o TetGen, y ninguno de los dos programas está instalado (los paquetes de Debian son gmsh y tetgen)</translation>
     </message>
     <message>
-        <source>there are no tetrahedra of the object &apos;{object}&apos;: {cause}.</source>
+        <source>there are no tetrahedra of the object '{object}': {cause}.</source>
         <translation>no hay tetraedros del objeto «{object}»: {cause}.</translation>
     </message>
     <message>
@@ -1748,15 +1748,15 @@
         <translation>las etiquetas del mapa dado se solapan: {voxels:0f} vóxeles de esta quedan para otras más pequeñas que también los contienen</translation>
     </message>
     <message>
-        <source>it has no label called &apos;{name}&apos;; it has: {names}</source>
+        <source>it has no label called '{name}'; it has: {names}</source>
         <translation>no tiene ninguna etiqueta llamada «{name}»; tiene: {names}</translation>
     </message>
     <message>
-        <source>it has no label called &apos;{name}&apos;: it names none</source>
+        <source>it has no label called '{name}': it names none</source>
         <translation>no tiene ninguna etiqueta llamada «{name}»: no nombra ninguna</translation>
     </message>
     <message>
-        <source>it has several labels called &apos;{name}&apos;: their number tells them apart</source>
+        <source>it has several labels called '{name}': their number tells them apart</source>
         <translation>tiene varias etiquetas llamadas «{name}»: su número las distingue</translation>
     </message>
     <message>
@@ -1768,7 +1768,7 @@
         <translation>tiene {tunnels:0f} túneles, y ningún cierre ni apertura deja {most:0f} o menos</translation>
     </message>
     <message>
-        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
+        <source>The surface to begin with, {file}, meets the object '{object}', which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
         <translation>La superficie inicial, {file}, toca el objeto «{object}», que va antes que ella. Las etiquetas de un mismo mapa que se tocan se mantienen separadas si se abren juntas, con los mismos ajustes de suavizado, parte mayor y túneles.</translation>
     </message>
     <message>
@@ -1992,87 +1992,87 @@
         <translation>una lista</translation>
     </message>
     <message>
-        <source>it has no field &apos;{field}&apos;.</source>
+        <source>it has no field '{field}'.</source>
         <translation>le falta el campo «{field}».</translation>
     </message>
     <message>
-        <source>this version does not know its field &apos;{field}&apos;.</source>
+        <source>this version does not know its field '{field}'.</source>
         <translation>esta versión no conoce su campo «{field}».</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a JSON object.</source>
+        <source>its field '{field}' is not a JSON object.</source>
         <translation>su campo «{field}» no es un objeto JSON.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a list.</source>
+        <source>its field '{field}' is not a list.</source>
         <translation>su campo «{field}» no es una lista.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; must have {needed:0f} entries; it has {count:0f}.</source>
+        <source>its field '{field}' must have {needed:0f} entries; it has {count:0f}.</source>
         <translation>su campo «{field}» debe tener {needed:0f} elementos; tiene {count:0f}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a text.</source>
+        <source>its field '{field}' is not a text.</source>
         <translation>su campo «{field}» no es un texto.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, neither true nor false.</source>
+        <source>its field '{field}' is {value}, neither true nor false.</source>
         <translation>su campo «{field}» es {value}, ni true ni false.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, not a number.</source>
+        <source>its field '{field}' is {value}, not a number.</source>
         <translation>su campo «{field}» es {value}, que no es un número.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, not a whole number in range.</source>
+        <source>its field '{field}' is {value}, not a whole number in range.</source>
         <translation>su campo «{field}» es {value}, que no es un número entero dentro de los límites.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be at least {least}.</source>
+        <source>its field '{field}' is {value}, and must be at least {least}.</source>
         <translation>su campo «{field}» es {value} y debe ser al menos {least}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be above {least}.</source>
+        <source>its field '{field}' is {value}, and must be above {least}.</source>
         <translation>su campo «{field}» es {value} y debe ser mayor que {least}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be from {least:0f} to {most:0f}.</source>
+        <source>its field '{field}' is {value}, and must be from {least:0f} to {most:0f}.</source>
         <translation>su campo «{field}» es {value} y debe estar entre {least:0f} y {most:0f}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is &apos;{value}&apos;, a word that this version does not know.</source>
+        <source>its field '{field}' is '{value}', a word that this version does not know.</source>
         <translation>su campo «{field}» es «{value}», una palabra que esta versión no conoce.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is empty.</source>
+        <source>its field '{field}' is empty.</source>
         <translation>su campo «{field}» está vacío.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is no range: its lower end is above its upper end.</source>
+        <source>its field '{field}' is no range: its lower end is above its upper end.</source>
         <translation>su campo «{field}» no es un intervalo: su extremo inferior está por encima del superior.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not above that of the entry before it.</source>
+        <source>its field '{field}' is not above that of the entry before it.</source>
         <translation>su campo «{field}» no es mayor que el del elemento anterior.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is 0, which is no label.</source>
+        <source>its field '{field}' is 0, which is no label.</source>
         <translation>su campo «{field}» es 0, que no es una etiqueta.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is a vector of no length.</source>
+        <source>its field '{field}' is a vector of no length.</source>
         <translation>su campo «{field}» es un vector de longitud nula.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
+        <source>its field '{field}' cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
         <translation>su campo «{field}» no puede nombrar un objeto: un nombre tiene de 1 a {most:0f} caracteres, sin caracteres de control ni ninguno de {separators}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; has a code that is empty, too long, or holds what separates codes.</source>
+        <source>its field '{field}' has a code that is empty, too long, or holds what separates codes.</source>
         <translation>su campo «{field}» tiene un código vacío, demasiado largo o que contiene lo que separa los códigos.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is a name that cannot be written into files.</source>
+        <source>its field '{field}' is a name that cannot be written into files.</source>
         <translation>su campo «{field}» es un nombre que no se puede escribir en archivos.</translation>
     </message>
     <message>
@@ -2170,6 +2170,22 @@
     <message>
         <source>The header does not state the distance of the slices: {spacing_mm:4g} mm are taken, the least between its frames, though a slice is {thickness_mm:4g} mm thick. Slices may be left out.</source>
         <translation>La cabecera no indica la distancia entre los cortes: se toman {spacing_mm:4g} mm, la menor entre sus imágenes, aunque un corte tiene {thickness_mm:4g} mm de espesor. Puede que se hayan omitido cortes.</translation>
+    </message>
+    <message>
+        <source>the veto of iteration {iteration:0f} forbids nothing: the mesh is that of iteration {mesh_iteration:0f}</source>
+        <translation>el veto de la iteración {iteration:0f} no prohíbe nada: la malla es la de la iteración {mesh_iteration:0f}</translation>
+    </message>
+    <message>
+        <source>the edit of iteration {iteration:0f} is not made: the mesh is that of iteration {mesh_iteration:0f}</source>
+        <translation>la edición de la iteración {iteration:0f} no se ha hecho: la malla es la de la iteración {mesh_iteration:0f}</translation>
+    </message>
+    <message>
+        <source>The volume of the surface, {volume_ml:4g} ml, lies outside of those of all runs with clicks, smoothing and noise a little different, {least_ml:4g} to {most_ml:4g} ml: they may have found another object</source>
+        <translation>El volumen de la superficie, {volume_ml:4g} ml, queda fuera de los de todas las repeticiones con clics, suavizado y ruido un poco distintos, {least_ml:4g} a {most_ml:4g} ml: quizá hayan encontrado otro objeto</translation>
+    </message>
+    <message>
+        <source>The sensitivity cannot be told of a surface that was given as it is: there is no growth to repeat.</source>
+        <translation>No se puede indicar la sensibilidad de una superficie dada tal cual: no hay ningún crecimiento que repetir.</translation>
     </message>
 </context>
 <context>
@@ -2567,7 +2583,7 @@
         <translation>Desde &amp;la izquierda</translation>
     </message>
     <message>
-        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
+        <source>3D view: look from the patient's left; with the 3D view in focus</source>
         <translation>Vista 3D: mirar desde la izquierda del paciente; con el foco en la vista 3D</translation>
     </message>
     <message>
@@ -2583,7 +2599,7 @@
         <translation>&amp;Barreras y fijaciones</translation>
     </message>
     <message>
-        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
+        <source>Draw the active object's walls, and what of its surface is pinned</source>
         <translation>Dibujar las barreras del objeto activo y lo fijado de su superficie</translation>
     </message>
     <message>
@@ -2711,7 +2727,7 @@
         <translation>&amp;Con aristas</translation>
     </message>
     <message>
-        <source>The triangles&apos; edges are drawn</source>
+        <source>The triangles' edges are drawn</source>
         <translation>Se dibujan las aristas de los triángulos</translation>
     </message>
     <message>
@@ -2987,7 +3003,7 @@
         <translation>Estirar &amp;arrastrando</translation>
     </message>
     <message>
-        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush's radius less and less, as the next step</source>
         <translation>Arrastrar un punto de la superficie, en un corte o en 3D: va allí, y lo que está en el radio del pincel cada vez menos, como siguiente paso</translation>
     </message>
     <message>
@@ -3800,6 +3816,14 @@ cercano (mm)</translation>
         <source>3MF files</source>
         <translation>archivos 3MF</translation>
     </message>
+    <message>
+        <source>the outer surface</source>
+        <translation>la superficie exterior</translation>
+    </message>
+    <message>
+        <source>the cavities</source>
+        <translation>las cavidades</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -4397,6 +4421,26 @@ cercano (mm)</translation>
         <source>%1 cannot be written: it would be a part of the volume that is open. Choose another folder or name.</source>
         <translation>No se puede escribir %1: sería parte del volumen abierto. Elija otra carpeta u otro nombre.</translation>
     </message>
+    <message>
+        <source>A session keeps work over time of one object only: save this one, then open the volume anew to have several objects.</source>
+        <translation>Una sesión conserva el trabajo en el tiempo de un solo objeto: guarde esta y abra después el volumen de nuevo para tener varios objetos.</translation>
+    </message>
+    <message>
+        <source>“%1” still grows: wait until it is at rest, or pause it.</source>
+        <translation>«%1» aún crece: espere a que esté en reposo o páuselo.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: the open work is read from it. Choose another folder or name.</source>
+        <translation>No se puede escribir %1: el trabajo abierto se lee de ahí. Elija otra carpeta u otro nombre.</translation>
+    </message>
+    <message>
+        <source>Work over time is left out while there are several objects: delete all but one to keep it.</source>
+        <translation>El trabajo en el tiempo se omite mientras haya varios objetos: elimine todos menos uno para conservarlo.</translation>
+    </message>
+    <message>
+        <source>“%1” is locked: unlock it to grow in another frame.</source>
+        <translation>«%1» está bloqueado: desbloquéelo para crecer en otro instante.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>
@@ -4647,11 +4691,11 @@ cercano (mm)</translation>
         <translation>RAS</translation>
     </message>
     <message>
-        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
+        <source>x to the patient's left, y to the back, as in DICOM and ITK</source>
         <translation>x hacia la izquierda del paciente, y hacia atrás, como en DICOM e ITK</translation>
     </message>
     <message>
-        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
+        <source>x to the patient's right, y to the front, as in NIfTI and 3D Slicer</source>
         <translation>x hacia la derecha del paciente, y hacia delante, como en NIfTI y 3D Slicer</translation>
     </message>
     <message>
@@ -4847,7 +4891,7 @@ cercano (mm)</translation>
         <translation>Descripción de etiquetas para ITK-SNAP</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume's. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
         <translation>Los archivos DICOM, el informe y las medidas se escriben sin paciente, estudio, fechas ni nombres de archivos, y los nombres propuestos no revelan el del volumen. En lugar de guardar la sesión se exporta una que no dice dónde está su volumen: lo pide al abrirla.</translation>
     </message>
     <message>
@@ -5353,11 +5397,11 @@ cercano (mm)</translation>
 <context>
     <name>handlebody::ui::HistogramView</name>
     <message>
-        <source>Histogram with the object&apos;s range</source>
+        <source>Histogram with the object's range</source>
         <translation>Histograma con el intervalo del objeto</translation>
     </message>
     <message>
-        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object's range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Frecuencia de cada intensidad (raíz cuadrada). Arrastre los extremos del intervalo del objeto; con el teclado: Arriba y Abajo eligen un extremo, Izquierda y Derecha lo mueven.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -5688,6 +5732,18 @@ cercano (mm)</translation>
     <message>
         <source>&amp;Over time</source>
         <translation>En el &amp;tiempo</translation>
+    </message>
+    <message>
+        <source>These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?</source>
+        <translation>Estos objetos también pierden sus superficies, y deshacer no las recupera: %1. ¿Crecer en este instante?</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished">, </translation>
+    </message>
+    <message>
+        <source>Grow in this frame</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
@@ -6177,11 +6233,11 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
 <context>
     <name>handlebody::ui::OpenPanel</name>
     <message>
-        <source>along the patient&apos;s axes</source>
+        <source>along the patient's axes</source>
         <translation>según los ejes del paciente</translation>
     </message>
     <message>
-        <source>oblique: slices follow the volume&apos;s own axes</source>
+        <source>oblique: slices follow the volume's own axes</source>
         <translation>oblicuo: los cortes siguen los ejes del volumen</translation>
     </message>
     <message>
@@ -7300,7 +7356,7 @@ o soltar aquí un archivo</translation>
         <translation>Los vértices cercanos se hallan en una tabla ordenada. La superficie no depende de ello</translation>
     </message>
     <message>
-        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
+        <source>Near vertices are found by the paper's eight hash functions: slower, the same surface</source>
         <translation>Los vértices cercanos se hallan con las ocho funciones hash del artículo: más lento, la misma superficie</translation>
     </message>
     <message>

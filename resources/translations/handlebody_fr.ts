@@ -60,7 +60,7 @@
         <translation>Le point extérieur à {place:1f} mm est hors du volume.</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object's range is {low:4g} to {high:4g}.</source>
         <translation>Le germe à {place:1f} mm n’est pas dans l’objet : l’intensité lissée y est de {intensity:4g}, l’intervalle de l’objet va de {low:4g} à {high:4g}.</translation>
     </message>
     <message>
@@ -124,7 +124,7 @@
         <translation>Le volume dépend de l’endroit exact du clic, du lissage ou du bruit : il varie de {percent:0f} %</translation>
     </message>
     <message>
-        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
+        <source>The surface was made with an earlier one of the object '{object}', and a replay may make another</source>
         <translation>La surface a été faite avec une version antérieure de l’objet « {object} », et une relecture peut en donner une autre</translation>
     </message>
     <message>
@@ -372,7 +372,7 @@
         <translation>La longueur d’arête de {edge_mm} mm est trop courte pour les germes : leur surface seule aurait plus de deux millions de triangles.</translation>
     </message>
     <message>
-        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
+        <source>The seed at {place} mm lies in the object '{object}', which is done already.</source>
         <translation>Le germe à {place} mm est dans l’objet « {object} », déjà terminé.</translation>
     </message>
     <message>
@@ -396,7 +396,7 @@
         <translation>La barrière à {place} mm recouvre une surface déjà présente : revenez avant qu’elle n’y soit entrée, ou laissez la surface bouger dans les deux sens.</translation>
     </message>
     <message>
-        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
+        <source>The object '{object}' lies over surface that is already there: go back to before it came in there.</source>
         <translation>L’objet « {object} » recouvre une surface déjà présente : revenez avant qu’elle n’y soit entrée.</translation>
     </message>
     <message>
@@ -588,7 +588,7 @@
         <translation>{file} ne peut pas servir de barrières : la carte a {size} voxels, le volume {volume}.</translation>
     </message>
     <message>
-        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume&apos;s.</source>
+        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume's.</source>
         <translation>{file} ne peut pas servir de barrières : son espacement, son origine ou sa direction ne sont pas ceux du volume.</translation>
     </message>
     <message>
@@ -1348,11 +1348,11 @@
         <translation>La surface de départ ne peut pas en devenir une autre en chemin : recommencez.</translation>
     </message>
     <message>
-        <source>The object &apos;{object}&apos; has no mesh that could be a wall.</source>
+        <source>The object '{object}' has no mesh that could be a wall.</source>
         <translation>L’objet « {object} » n’a pas de maillage qui puisse être une barrière.</translation>
     </message>
     <message>
-        <source>The label map of the walls has not the volume&apos;s size.</source>
+        <source>The label map of the walls has not the volume's size.</source>
         <translation>La carte d’étiquettes des barrières n’a pas la taille du volume.</translation>
     </message>
     <message>
@@ -1400,11 +1400,11 @@
         <translation>son espacement a été donné par l’utilisateur, pas par la série</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; is longer than 64 bytes</source>
+        <source>'{text}' is longer than 64 bytes</source>
         <translation>« {text} » dépasse 64 octets</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; holds a control character or a backslash</source>
+        <source>'{text}' holds a control character or a backslash</source>
         <translation>« {text} » contient un caractère de contrôle ou une barre oblique inverse</translation>
     </message>
     <message>
@@ -1412,11 +1412,11 @@
         <translation>la carte d’étiquettes n’est pas sur la grille de la série</translation>
     </message>
     <message>
-        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian&apos;s packages are gmsh and tetgen)</source>
+        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian's packages are gmsh and tetgen)</source>
         <translation>les tétraèdres sont faits par gmsh ou TetGen, et aucun des deux n’est installé (les paquets Debian sont gmsh et tetgen)</translation>
     </message>
     <message>
-        <source>there are no tetrahedra of the object &apos;{object}&apos;: {cause}.</source>
+        <source>there are no tetrahedra of the object '{object}': {cause}.</source>
         <translation>il n’y a pas de tétraèdres de l’objet « {object} » : {cause}.</translation>
     </message>
     <message>
@@ -1717,11 +1717,11 @@
     </message>
     <message>
         <source>{file}: series {series} is not the one that the session was made from: its voxels differ.</source>
-        <translation>{file} : la série {series} n&apos;est pas celle dont la session est issue : ses voxels diffèrent.</translation>
+        <translation>{file} : la série {series} n'est pas celle dont la session est issue : ses voxels diffèrent.</translation>
     </message>
     <message>
         <source>{file}: none of its series has the voxels that the session was made from.</source>
-        <translation>{file} : aucune de ses séries n&apos;a les voxels dont la session est issue.</translation>
+        <translation>{file} : aucune de ses séries n'a les voxels dont la session est issue.</translation>
     </message>
     <message>
         <source>the surface does not enclose the seed at {place:1f} mm, which lies {distance_mm:1f} mm outside of it: the image or other clicks speak against it</source>
@@ -1737,7 +1737,7 @@
     </message>
     <message>
         <source>the mesh is written as it was given: triangles with an angle under 15 degrees: {thin_faces:0f}, edges whose faces meet at less than 20 degrees: {sharp_edges:0f} (handlebody-cli edit --polish all betters them)</source>
-        <translation>Le maillage est écrit tel qu&apos;il a été donné : triangles ayant un angle de moins de 15 degrés : {thin_faces:0f}, arêtes dont les faces se rencontrent à moins de 20 degrés : {sharp_edges:0f} (handlebody-cli edit --polish all les améliore)</translation>
+        <translation>Le maillage est écrit tel qu'il a été donné : triangles ayant un angle de moins de 15 degrés : {thin_faces:0f}, arêtes dont les faces se rencontrent à moins de 20 degrés : {sharp_edges:0f} (handlebody-cli edit --polish all les améliore)</translation>
     </message>
     <message>
         <source>The segmentation has {layers:0f} layers, since segments overlap: only the segments of the first layer are read.</source>
@@ -1748,27 +1748,27 @@
         <translation>des étiquettes de la carte donnée se recouvrent : {voxels:0f} voxels de celle-ci sont laissés à de plus petites qui les contiennent aussi</translation>
     </message>
     <message>
-        <source>it has no label called &apos;{name}&apos;; it has: {names}</source>
-        <translation>il n&apos;a pas d&apos;étiquette nommée « {name} » ; il a : {names}</translation>
+        <source>it has no label called '{name}'; it has: {names}</source>
+        <translation>il n'a pas d'étiquette nommée « {name} » ; il a : {names}</translation>
     </message>
     <message>
-        <source>it has no label called &apos;{name}&apos;: it names none</source>
-        <translation>il n&apos;a pas d&apos;étiquette nommée « {name} » : il n&apos;en nomme aucune</translation>
+        <source>it has no label called '{name}': it names none</source>
+        <translation>il n'a pas d'étiquette nommée « {name} » : il n'en nomme aucune</translation>
     </message>
     <message>
-        <source>it has several labels called &apos;{name}&apos;: their number tells them apart</source>
+        <source>it has several labels called '{name}': their number tells them apart</source>
         <translation>il a plusieurs étiquettes nommées « {name} » : leur numéro les distingue</translation>
     </message>
     <message>
         <source>has no voxel of the label {label:0f} that no smaller label holds, too</source>
-        <translation>n&apos;a aucun voxel de l&apos;étiquette {label:0f} qu&apos;une plus petite ne contienne aussi</translation>
+        <translation>n'a aucun voxel de l'étiquette {label:0f} qu'une plus petite ne contienne aussi</translation>
     </message>
     <message>
         <source>has {tunnels:0f} tunnels, and no closing or opening leaves {most:0f} or fewer</source>
-        <translation>a {tunnels:0f} tunnels, et aucune fermeture ni ouverture n&apos;en laisse {most:0f} ou moins</translation>
+        <translation>a {tunnels:0f} tunnels, et aucune fermeture ni ouverture n'en laisse {most:0f} ou moins</translation>
     </message>
     <message>
-        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
+        <source>The surface to begin with, {file}, meets the object '{object}', which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
         <translation>La surface de départ, {file}, rencontre l’objet « {object} », qui vient avant elle. Les étiquettes d’une même carte qui se touchent sont tenues séparées si elles sont ouvertes ensemble, avec les mêmes réglages de lissage, de plus grande partie et de tunnels.</translation>
     </message>
     <message>
@@ -1992,87 +1992,87 @@
         <translation>une liste</translation>
     </message>
     <message>
-        <source>it has no field &apos;{field}&apos;.</source>
+        <source>it has no field '{field}'.</source>
         <translation>le champ « {field} » lui manque.</translation>
     </message>
     <message>
-        <source>this version does not know its field &apos;{field}&apos;.</source>
+        <source>this version does not know its field '{field}'.</source>
         <translation>cette version ne connaît pas son champ « {field} ».</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a JSON object.</source>
+        <source>its field '{field}' is not a JSON object.</source>
         <translation>son champ « {field} » n’est pas un objet JSON.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a list.</source>
+        <source>its field '{field}' is not a list.</source>
         <translation>son champ « {field} » n’est pas une liste.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; must have {needed:0f} entries; it has {count:0f}.</source>
+        <source>its field '{field}' must have {needed:0f} entries; it has {count:0f}.</source>
         <translation>son champ « {field} » doit avoir {needed:0f} éléments ; il en a {count:0f}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a text.</source>
+        <source>its field '{field}' is not a text.</source>
         <translation>son champ « {field} » n’est pas un texte.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, neither true nor false.</source>
+        <source>its field '{field}' is {value}, neither true nor false.</source>
         <translation>son champ « {field} » est {value}, ni true ni false.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, not a number.</source>
+        <source>its field '{field}' is {value}, not a number.</source>
         <translation>son champ « {field} » est {value}, qui n’est pas un nombre.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, not a whole number in range.</source>
+        <source>its field '{field}' is {value}, not a whole number in range.</source>
         <translation>son champ « {field} » est {value}, qui n’est pas un nombre entier dans les limites.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be at least {least}.</source>
+        <source>its field '{field}' is {value}, and must be at least {least}.</source>
         <translation>son champ « {field} » est {value} et doit être d’au moins {least}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be above {least}.</source>
+        <source>its field '{field}' is {value}, and must be above {least}.</source>
         <translation>son champ « {field} » est {value} et doit être supérieur à {least}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be from {least:0f} to {most:0f}.</source>
+        <source>its field '{field}' is {value}, and must be from {least:0f} to {most:0f}.</source>
         <translation>son champ « {field} » est {value} et doit être compris entre {least:0f} et {most:0f}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is &apos;{value}&apos;, a word that this version does not know.</source>
+        <source>its field '{field}' is '{value}', a word that this version does not know.</source>
         <translation>son champ « {field} » est « {value} », un mot que cette version ne connaît pas.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is empty.</source>
+        <source>its field '{field}' is empty.</source>
         <translation>son champ « {field} » est vide.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is no range: its lower end is above its upper end.</source>
+        <source>its field '{field}' is no range: its lower end is above its upper end.</source>
         <translation>son champ « {field} » n’est pas un intervalle : sa borne inférieure dépasse sa borne supérieure.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not above that of the entry before it.</source>
+        <source>its field '{field}' is not above that of the entry before it.</source>
         <translation>son champ « {field} » n’est pas supérieur à celui de l’élément précédent.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is 0, which is no label.</source>
+        <source>its field '{field}' is 0, which is no label.</source>
         <translation>son champ « {field} » est 0, qui n’est pas une étiquette.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is a vector of no length.</source>
+        <source>its field '{field}' is a vector of no length.</source>
         <translation>son champ « {field} » est un vecteur de longueur nulle.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
+        <source>its field '{field}' cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
         <translation>son champ « {field} » ne peut pas nommer un objet : un nom a de 1 à {most:0f} caractères, sans caractère de contrôle ni aucun de {separators}.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; has a code that is empty, too long, or holds what separates codes.</source>
+        <source>its field '{field}' has a code that is empty, too long, or holds what separates codes.</source>
         <translation>son champ « {field} » a un code vide, trop long ou qui contient ce qui sépare les codes.</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is a name that cannot be written into files.</source>
+        <source>its field '{field}' is a name that cannot be written into files.</source>
         <translation>son champ « {field} » est un nom qui ne peut pas être écrit dans des fichiers.</translation>
     </message>
     <message>
@@ -2170,6 +2170,22 @@
     <message>
         <source>The header does not state the distance of the slices: {spacing_mm:4g} mm are taken, the least between its frames, though a slice is {thickness_mm:4g} mm thick. Slices may be left out.</source>
         <translation>L’en-tête ne donne pas l’écart entre les coupes : on prend {spacing_mm:4g} mm, le plus petit entre ses images, alors qu’une coupe fait {thickness_mm:4g} mm d’épaisseur. Des coupes peuvent avoir été omises.</translation>
+    </message>
+    <message>
+        <source>the veto of iteration {iteration:0f} forbids nothing: the mesh is that of iteration {mesh_iteration:0f}</source>
+        <translation>le veto de l’itération {iteration:0f} n’interdit rien : le maillage est celui de l’itération {mesh_iteration:0f}</translation>
+    </message>
+    <message>
+        <source>the edit of iteration {iteration:0f} is not made: the mesh is that of iteration {mesh_iteration:0f}</source>
+        <translation>la modification de l’itération {iteration:0f} n’est pas faite : le maillage est celui de l’itération {mesh_iteration:0f}</translation>
+    </message>
+    <message>
+        <source>The volume of the surface, {volume_ml:4g} ml, lies outside of those of all runs with clicks, smoothing and noise a little different, {least_ml:4g} to {most_ml:4g} ml: they may have found another object</source>
+        <translation>Le volume de la surface, {volume_ml:4g} ml, se situe hors de ceux de toutes les répétitions avec des clics, un lissage et un bruit un peu différents, {least_ml:4g} à {most_ml:4g} ml : elles ont peut-être trouvé un autre objet</translation>
+    </message>
+    <message>
+        <source>The sensitivity cannot be told of a surface that was given as it is: there is no growth to repeat.</source>
+        <translation>La sensibilité d’une surface donnée telle quelle ne peut être indiquée : il n’y a pas de croissance à répéter.</translation>
     </message>
 </context>
 <context>
@@ -2567,7 +2583,7 @@
         <translation>De &amp;gauche</translation>
     </message>
     <message>
-        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
+        <source>3D view: look from the patient's left; with the 3D view in focus</source>
         <translation>Vue 3D : regarder de la gauche du patient ; quand la vue 3D a le focus</translation>
     </message>
     <message>
@@ -2583,7 +2599,7 @@
         <translation>&amp;Barrières et fixations</translation>
     </message>
     <message>
-        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
+        <source>Draw the active object's walls, and what of its surface is pinned</source>
         <translation>Dessiner les barrières de l’objet actif et ce qui est fixé de sa surface</translation>
     </message>
     <message>
@@ -2711,7 +2727,7 @@
         <translation>&amp;Avec les arêtes</translation>
     </message>
     <message>
-        <source>The triangles&apos; edges are drawn</source>
+        <source>The triangles' edges are drawn</source>
         <translation>Les arêtes des triangles sont dessinées</translation>
     </message>
     <message>
@@ -2987,7 +3003,7 @@
         <translation>&amp;Tirer en glissant</translation>
     </message>
     <message>
-        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush's radius less and less, as the next step</source>
         <translation>Tirer un point de la surface, dans une coupe ou en 3D : il y va, et ce qui est dans le rayon du pinceau de moins en moins, au pas suivant</translation>
     </message>
     <message>
@@ -3800,6 +3816,14 @@ proche (mm)</translation>
         <source>3MF files</source>
         <translation>fichiers 3MF</translation>
     </message>
+    <message>
+        <source>the outer surface</source>
+        <translation>la surface extérieure</translation>
+    </message>
+    <message>
+        <source>the cavities</source>
+        <translation>les cavités</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -4397,6 +4421,26 @@ proche (mm)</translation>
         <source>%1 cannot be written: it would be a part of the volume that is open. Choose another folder or name.</source>
         <translation>%1 ne peut pas être écrit : il ferait partie du volume ouvert. Choisissez un autre dossier ou un autre nom.</translation>
     </message>
+    <message>
+        <source>A session keeps work over time of one object only: save this one, then open the volume anew to have several objects.</source>
+        <translation>Une session ne garde le travail dans le temps que d’un seul objet : enregistrez celle-ci, puis rouvrez le volume pour avoir plusieurs objets.</translation>
+    </message>
+    <message>
+        <source>“%1” still grows: wait until it is at rest, or pause it.</source>
+        <translation>« %1 » croît encore : attendez qu’il soit au repos, ou mettez-le en pause.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: the open work is read from it. Choose another folder or name.</source>
+        <translation>%1 ne peut pas être écrit : le travail ouvert en est lu. Choisissez un autre dossier ou un autre nom.</translation>
+    </message>
+    <message>
+        <source>Work over time is left out while there are several objects: delete all but one to keep it.</source>
+        <translation>Le travail dans le temps est laissé de côté tant qu’il y a plusieurs objets : supprimez-les tous sauf un pour le garder.</translation>
+    </message>
+    <message>
+        <source>“%1” is locked: unlock it to grow in another frame.</source>
+        <translation>« %1 » est verrouillé : déverrouillez-le pour croître à un autre instant.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>
@@ -4647,11 +4691,11 @@ proche (mm)</translation>
         <translation>RAS</translation>
     </message>
     <message>
-        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
+        <source>x to the patient's left, y to the back, as in DICOM and ITK</source>
         <translation>x vers la gauche du patient, y vers l’arrière, comme en DICOM et ITK</translation>
     </message>
     <message>
-        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
+        <source>x to the patient's right, y to the front, as in NIfTI and 3D Slicer</source>
         <translation>x vers la droite du patient, y vers l’avant, comme en NIfTI et 3D Slicer</translation>
     </message>
     <message>
@@ -4847,7 +4891,7 @@ proche (mm)</translation>
         <translation>Description des étiquettes pour ITK-SNAP</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume's. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
         <translation>Les fichiers DICOM, le rapport et les mesures sont écrits sans patient, étude, dates ni noms de fichiers, et les noms proposés ne révèlent pas celui du volume. Au lieu d’enregistrer la session, on en exporte une qui ne dit pas où se trouve son volume : elle le demande à l’ouverture.</translation>
     </message>
     <message>
@@ -4856,7 +4900,7 @@ proche (mm)</translation>
     </message>
     <message>
         <source>What a file holds: names and colours stay apart where it can; to the name of a file of one object its name is added</source>
-        <translation>Ce que contient un fichier : noms et couleurs restent séparés là où il le permet ; le nom de l&apos;objet est ajouté à celui du fichier d&apos;un seul objet</translation>
+        <translation>Ce que contient un fichier : noms et couleurs restent séparés là où il le permet ; le nom de l'objet est ajouté à celui du fichier d'un seul objet</translation>
     </message>
 </context>
 <context>
@@ -4999,7 +5043,7 @@ proche (mm)</translation>
     </message>
     <message>
         <source>There already: %1. Replace what is there?</source>
-        <translation>Déjà présents : %1. Remplacer ce qui s&apos;y trouve ?</translation>
+        <translation>Déjà présents : %1. Remplacer ce qui s'y trouve ?</translation>
     </message>
     <message>
         <source>%1 more</source>
@@ -5353,11 +5397,11 @@ proche (mm)</translation>
 <context>
     <name>handlebody::ui::HistogramView</name>
     <message>
-        <source>Histogram with the object&apos;s range</source>
+        <source>Histogram with the object's range</source>
         <translation>Histogramme avec l’intervalle de l’objet</translation>
     </message>
     <message>
-        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object's range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Fréquence de chaque intensité (racine carrée). Glissez les bornes de l’intervalle de l’objet ; au clavier : Haut et Bas choisissent une borne, Gauche et Droite la déplacent.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -5688,6 +5732,18 @@ proche (mm)</translation>
     <message>
         <source>&amp;Over time</source>
         <translation>Au fil du t&amp;emps</translation>
+    </message>
+    <message>
+        <source>These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?</source>
+        <translation>Ces objets perdent aussi leurs surfaces, et Annuler ne les rétablit pas : %1. Croître à cet instant ?</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished">, </translation>
+    </message>
+    <message>
+        <source>Grow in this frame</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
@@ -6177,11 +6233,11 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
 <context>
     <name>handlebody::ui::OpenPanel</name>
     <message>
-        <source>along the patient&apos;s axes</source>
+        <source>along the patient's axes</source>
         <translation>le long des axes du patient</translation>
     </message>
     <message>
-        <source>oblique: slices follow the volume&apos;s own axes</source>
+        <source>oblique: slices follow the volume's own axes</source>
         <translation>oblique : les coupes suivent les axes du volume</translation>
     </message>
     <message>
@@ -7300,7 +7356,7 @@ ou déposer un fichier ici</translation>
         <translation>Les sommets proches sont trouvés dans une table triée. La surface n’en dépend pas</translation>
     </message>
     <message>
-        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
+        <source>Near vertices are found by the paper's eight hash functions: slower, the same surface</source>
         <translation>Les sommets proches sont trouvés par les huit fonctions de hachage de l’article : plus lent, même surface</translation>
     </message>
     <message>

@@ -60,7 +60,7 @@
         <translation>位于 {place:1f} mm 的外部点在体数据之外。</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object's range is {low:4g} to {high:4g}.</source>
         <translation>位于 {place:1f} mm 的种子点不在目标内：该处平滑后的强度为 {intensity:4g}，目标范围为 {low:4g} 至 {high:4g}。</translation>
     </message>
     <message>
@@ -124,7 +124,7 @@
         <translation>体积取决于确切的点击位置、平滑或噪声：变化 {percent:0f} %</translation>
     </message>
     <message>
-        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
+        <source>The surface was made with an earlier one of the object '{object}', and a replay may make another</source>
         <translation>该表面是用目标“{object}”的较早表面生成的，重放可能得到不同结果</translation>
     </message>
     <message>
@@ -372,7 +372,7 @@
         <translation>边长 {edge_mm} mm 对种子点过短：仅其表面就会有超过两百万个三角形。</translation>
     </message>
     <message>
-        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
+        <source>The seed at {place} mm lies in the object '{object}', which is done already.</source>
         <translation>位于 {place} mm 的种子点在已完成的目标“{object}”内。</translation>
     </message>
     <message>
@@ -396,7 +396,7 @@
         <translation>位于 {place} mm 的屏障盖在已有表面上：请退回到表面到达那里之前，或允许表面双向移动。</translation>
     </message>
     <message>
-        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
+        <source>The object '{object}' lies over surface that is already there: go back to before it came in there.</source>
         <translation>目标“{object}”盖在已有表面上：请退回到表面到达那里之前。</translation>
     </message>
     <message>
@@ -588,7 +588,7 @@
         <translation>{file} 不能用作屏障：它有 {size} 个体素，而体数据有 {volume} 个。</translation>
     </message>
     <message>
-        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume&apos;s.</source>
+        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume's.</source>
         <translation>{file} 不能用作屏障：其间距、原点或方向与体数据不同。</translation>
     </message>
     <message>
@@ -1348,11 +1348,11 @@
         <translation>起始表面不能在中途更换：请重新开始。</translation>
     </message>
     <message>
-        <source>The object &apos;{object}&apos; has no mesh that could be a wall.</source>
+        <source>The object '{object}' has no mesh that could be a wall.</source>
         <translation>目标“{object}”没有可作为屏障的网格。</translation>
     </message>
     <message>
-        <source>The label map of the walls has not the volume&apos;s size.</source>
+        <source>The label map of the walls has not the volume's size.</source>
         <translation>屏障的标签图与体数据大小不同。</translation>
     </message>
     <message>
@@ -1400,11 +1400,11 @@
         <translation>其间距由用户给出，而非来自序列</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; is longer than 64 bytes</source>
+        <source>'{text}' is longer than 64 bytes</source>
         <translation>“{text}”超过 64 字节</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; holds a control character or a backslash</source>
+        <source>'{text}' holds a control character or a backslash</source>
         <translation>“{text}”含有控制字符或反斜杠</translation>
     </message>
     <message>
@@ -1412,11 +1412,11 @@
         <translation>标签图不在该序列的网格上</translation>
     </message>
     <message>
-        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian&apos;s packages are gmsh and tetgen)</source>
+        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian's packages are gmsh and tetgen)</source>
         <translation>四面体由 gmsh 或 TetGen 生成，而两者均未安装（Debian 软件包为 gmsh 和 tetgen）</translation>
     </message>
     <message>
-        <source>there are no tetrahedra of the object &apos;{object}&apos;: {cause}.</source>
+        <source>there are no tetrahedra of the object '{object}': {cause}.</source>
         <translation>目标“{object}”没有四面体：{cause}。</translation>
     </message>
     <message>
@@ -1748,15 +1748,15 @@
         <translation>所给标签图中的标签有重叠：此标签的 {voxels:0f} 个体素留给了同样包含它们的较小标签</translation>
     </message>
     <message>
-        <source>it has no label called &apos;{name}&apos;; it has: {names}</source>
+        <source>it has no label called '{name}'; it has: {names}</source>
         <translation>其中没有名为“{name}”的标签；有：{names}</translation>
     </message>
     <message>
-        <source>it has no label called &apos;{name}&apos;: it names none</source>
+        <source>it has no label called '{name}': it names none</source>
         <translation>其中没有名为“{name}”的标签：它没有给任何标签命名</translation>
     </message>
     <message>
-        <source>it has several labels called &apos;{name}&apos;: their number tells them apart</source>
+        <source>it has several labels called '{name}': their number tells them apart</source>
         <translation>其中有多个名为“{name}”的标签：请用编号区分</translation>
     </message>
     <message>
@@ -1768,7 +1768,7 @@
         <translation>有 {tunnels:0f} 个隧道，闭运算或开运算都不能使其不超过 {most:0f} 个</translation>
     </message>
     <message>
-        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
+        <source>The surface to begin with, {file}, meets the object '{object}', which comes before it. Labels of one map that touch are kept apart where they are opened together, with the same smoothing, largest part and tunnels.</source>
         <translation>起始表面 {file} 与排在其前的目标“{object}”相遇。同一标签图中相互接触的标签，只有一起打开且平滑、最大部分和隧道的设置相同时才会保持分开。</translation>
     </message>
     <message>
@@ -1992,87 +1992,87 @@
         <translation>列表</translation>
     </message>
     <message>
-        <source>it has no field &apos;{field}&apos;.</source>
+        <source>it has no field '{field}'.</source>
         <translation>它没有字段“{field}”。</translation>
     </message>
     <message>
-        <source>this version does not know its field &apos;{field}&apos;.</source>
+        <source>this version does not know its field '{field}'.</source>
         <translation>此版本不认识其字段“{field}”。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a JSON object.</source>
+        <source>its field '{field}' is not a JSON object.</source>
         <translation>其字段“{field}”不是 JSON 对象。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a list.</source>
+        <source>its field '{field}' is not a list.</source>
         <translation>其字段“{field}”不是列表。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; must have {needed:0f} entries; it has {count:0f}.</source>
+        <source>its field '{field}' must have {needed:0f} entries; it has {count:0f}.</source>
         <translation>其字段“{field}”必须有 {needed:0f} 项，而实际有 {count:0f} 项。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not a text.</source>
+        <source>its field '{field}' is not a text.</source>
         <translation>其字段“{field}”不是文本。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, neither true nor false.</source>
+        <source>its field '{field}' is {value}, neither true nor false.</source>
         <translation>其字段“{field}”是 {value}，既不是 true 也不是 false。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, not a number.</source>
+        <source>its field '{field}' is {value}, not a number.</source>
         <translation>其字段“{field}”是 {value}，不是数。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, not a whole number in range.</source>
+        <source>its field '{field}' is {value}, not a whole number in range.</source>
         <translation>其字段“{field}”是 {value}，不是允许范围内的整数。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be at least {least}.</source>
+        <source>its field '{field}' is {value}, and must be at least {least}.</source>
         <translation>其字段“{field}”是 {value}，而至少应为 {least}。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be above {least}.</source>
+        <source>its field '{field}' is {value}, and must be above {least}.</source>
         <translation>其字段“{field}”是 {value}，而必须大于 {least}。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is {value}, and must be from {least:0f} to {most:0f}.</source>
+        <source>its field '{field}' is {value}, and must be from {least:0f} to {most:0f}.</source>
         <translation>其字段“{field}”是 {value}，而必须在 {least:0f} 到 {most:0f} 之间。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is &apos;{value}&apos;, a word that this version does not know.</source>
+        <source>its field '{field}' is '{value}', a word that this version does not know.</source>
         <translation>其字段“{field}”是“{value}”，此版本不认识这个词。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is empty.</source>
+        <source>its field '{field}' is empty.</source>
         <translation>其字段“{field}”为空。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is no range: its lower end is above its upper end.</source>
+        <source>its field '{field}' is no range: its lower end is above its upper end.</source>
         <translation>其字段“{field}”不是范围：下限高于上限。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is not above that of the entry before it.</source>
+        <source>its field '{field}' is not above that of the entry before it.</source>
         <translation>其字段“{field}”不大于前一项的值。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is 0, which is no label.</source>
+        <source>its field '{field}' is 0, which is no label.</source>
         <translation>其字段“{field}”是 0，不是标签。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is a vector of no length.</source>
+        <source>its field '{field}' is a vector of no length.</source>
         <translation>其字段“{field}”是长度为零的向量。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
+        <source>its field '{field}' cannot name an object: a name has 1 to {most:0f} characters, no control characters and none of {separators}.</source>
         <translation>其字段“{field}”不能作为目标的名称：名称有 1 到 {most:0f} 个字符，不含控制字符，也不含 {separators} 中的任何字符。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; has a code that is empty, too long, or holds what separates codes.</source>
+        <source>its field '{field}' has a code that is empty, too long, or holds what separates codes.</source>
         <translation>其字段“{field}”含有空的、过长的或带有分隔符的代码。</translation>
     </message>
     <message>
-        <source>its field &apos;{field}&apos; is a name that cannot be written into files.</source>
+        <source>its field '{field}' is a name that cannot be written into files.</source>
         <translation>其字段“{field}”是无法写入文件的名称。</translation>
     </message>
     <message>
@@ -2170,6 +2170,22 @@
     <message>
         <source>The header does not state the distance of the slices: {spacing_mm:4g} mm are taken, the least between its frames, though a slice is {thickness_mm:4g} mm thick. Slices may be left out.</source>
         <translation>文件头未说明切面间距：采用其帧之间的最小距离 {spacing_mm:4g} mm，而切面厚度为 {thickness_mm:4g} mm。可能省略了部分切面。</translation>
+    </message>
+    <message>
+        <source>the veto of iteration {iteration:0f} forbids nothing: the mesh is that of iteration {mesh_iteration:0f}</source>
+        <translation>第 {iteration:0f} 次迭代的否决未起作用：网格取自第 {mesh_iteration:0f} 次迭代</translation>
+    </message>
+    <message>
+        <source>the edit of iteration {iteration:0f} is not made: the mesh is that of iteration {mesh_iteration:0f}</source>
+        <translation>第 {iteration:0f} 次迭代的编辑未执行：网格取自第 {mesh_iteration:0f} 次迭代</translation>
+    </message>
+    <message>
+        <source>The volume of the surface, {volume_ml:4g} ml, lies outside of those of all runs with clicks, smoothing and noise a little different, {least_ml:4g} to {most_ml:4g} ml: they may have found another object</source>
+        <translation>表面的体积 {volume_ml:4g} ml 在点击、平滑和噪声略有不同的所有运行的体积（{least_ml:4g} 至 {most_ml:4g} ml）之外：它们可能找到了另一个对象</translation>
+    </message>
+    <message>
+        <source>The sensitivity cannot be told of a surface that was given as it is: there is no growth to repeat.</source>
+        <translation>按原样给出的表面无法给出敏感性：没有可以重复的生长。</translation>
     </message>
 </context>
 <context>
@@ -2567,7 +2583,7 @@
         <translation>从左侧(&amp;L)</translation>
     </message>
     <message>
-        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
+        <source>3D view: look from the patient's left; with the 3D view in focus</source>
         <translation>3D 视图：从患者左侧观察；需 3D 视图获得焦点</translation>
     </message>
     <message>
@@ -2583,7 +2599,7 @@
         <translation>屏障与固定(&amp;N)</translation>
     </message>
     <message>
-        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
+        <source>Draw the active object's walls, and what of its surface is pinned</source>
         <translation>绘制当前目标的屏障及其表面的固定部分</translation>
     </message>
     <message>
@@ -2711,7 +2727,7 @@
         <translation>显示边(&amp;E)</translation>
     </message>
     <message>
-        <source>The triangles&apos; edges are drawn</source>
+        <source>The triangles' edges are drawn</source>
         <translation>绘制三角形的边</translation>
     </message>
     <message>
@@ -2987,7 +3003,7 @@
         <translation>拖动拉伸(&amp;D)</translation>
     </message>
     <message>
-        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush's radius less and less, as the next step</source>
         <translation>在切面或 3D 中拖动表面一点：该点移到那里，画笔半径内的部分随之递减移动，作为下一步</translation>
     </message>
     <message>
@@ -3800,6 +3816,14 @@ mean ± SD</source>
         <source>3MF files</source>
         <translation>3MF 文件</translation>
     </message>
+    <message>
+        <source>the outer surface</source>
+        <translation>外表面</translation>
+    </message>
+    <message>
+        <source>the cavities</source>
+        <translation>空腔</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -4397,6 +4421,26 @@ mean ± SD</source>
         <source>%1 cannot be written: it would be a part of the volume that is open. Choose another folder or name.</source>
         <translation>无法写入 %1：它会成为已打开体数据的一部分。请选择其他文件夹或名称。</translation>
     </message>
+    <message>
+        <source>A session keeps work over time of one object only: save this one, then open the volume anew to have several objects.</source>
+        <translation>会话只保存一个对象随时间的工作：请先保存当前会话，再重新打开体数据以建立多个对象。</translation>
+    </message>
+    <message>
+        <source>“%1” still grows: wait until it is at rest, or pause it.</source>
+        <translation>“%1”仍在生长：请等它静止，或将其暂停。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: the open work is read from it. Choose another folder or name.</source>
+        <translation>无法写入 %1：打开的工作从中读取。请选择其他文件夹或名称。</translation>
+    </message>
+    <message>
+        <source>Work over time is left out while there are several objects: delete all but one to keep it.</source>
+        <translation>有多个对象时不保存随时间的工作：请只保留一个对象以保存它。</translation>
+    </message>
+    <message>
+        <source>“%1” is locked: unlock it to grow in another frame.</source>
+        <translation>“%1”已锁定：请先解锁，再在另一时间点生长。</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>
@@ -4647,11 +4691,11 @@ mean ± SD</source>
         <translation>RAS</translation>
     </message>
     <message>
-        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
+        <source>x to the patient's left, y to the back, as in DICOM and ITK</source>
         <translation>x 指向患者左侧，y 指向背侧，与 DICOM 和 ITK 一致</translation>
     </message>
     <message>
-        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
+        <source>x to the patient's right, y to the front, as in NIfTI and 3D Slicer</source>
         <translation>x 指向患者右侧，y 指向腹侧，与 NIfTI 和 3D Slicer 一致</translation>
     </message>
     <message>
@@ -4847,7 +4891,7 @@ mean ± SD</source>
         <translation>ITK-SNAP 标签说明</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume's. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
         <translation>DICOM 文件、报告和测量结果写出时不含患者、检查、日期和文件名，建议的名称也不透露体数据的名称。不保存会话，而是导出一个不说明体数据位置的会话：打开时会询问。</translation>
     </message>
     <message>
@@ -5353,11 +5397,11 @@ mean ± SD</source>
 <context>
     <name>handlebody::ui::HistogramView</name>
     <message>
-        <source>Histogram with the object&apos;s range</source>
+        <source>Histogram with the object's range</source>
         <translation>带目标范围的直方图</translation>
     </message>
     <message>
-        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object's range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
         <translation>&lt;p&gt;各强度出现的频度（平方根）。拖动目标范围的两端；键盘：上下键选择一端，左右键移动。&lt;/p&gt;</translation>
     </message>
     <message>
@@ -5688,6 +5732,18 @@ mean ± SD</source>
     <message>
         <source>&amp;Over time</source>
         <translation>随时间(&amp;O)</translation>
+    </message>
+    <message>
+        <source>These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?</source>
+        <translation>以下对象也会失去其表面，且无法撤销恢复：%1。在此时间点生长吗？</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished">、</translation>
+    </message>
+    <message>
+        <source>Grow in this frame</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
@@ -6177,11 +6233,11 @@ Others are where objects begin: they grow from there onto the image, or give gro
 <context>
     <name>handlebody::ui::OpenPanel</name>
     <message>
-        <source>along the patient&apos;s axes</source>
+        <source>along the patient's axes</source>
         <translation>沿患者轴向</translation>
     </message>
     <message>
-        <source>oblique: slices follow the volume&apos;s own axes</source>
+        <source>oblique: slices follow the volume's own axes</source>
         <translation>倾斜：切面沿体数据自身的轴</translation>
     </message>
     <message>
@@ -7300,7 +7356,7 @@ or drop a file here</source>
         <translation>在一张排序表中查找邻近顶点。不影响表面</translation>
     </message>
     <message>
-        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
+        <source>Near vertices are found by the paper's eight hash functions: slower, the same surface</source>
         <translation>用论文中的八个散列函数查找邻近顶点：较慢，表面相同</translation>
     </message>
     <message>
