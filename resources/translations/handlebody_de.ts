@@ -4439,7 +4439,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>“%1” is locked: unlock it to grow in another frame.</source>
-        <translation>„%1“ ist gesperrt: entsperren Sie es, um in einem anderen Zeitpunkt wachsen zu lassen.</translation>
+        <translation>„%1“ ist gesperrt: entsperren Sie es, um in einem anderen Bild zu wachsen.</translation>
     </message>
 </context>
 <context>
@@ -5735,15 +5735,15 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?</source>
-        <translation>Auch diese Objekte verlieren ihre Oberflächen, und Rückgängig bringt sie nicht zurück: %1. In diesem Zeitpunkt wachsen lassen?</translation>
+        <translation>Auch diese Objekte verlieren ihre Oberflächen, und Rückgängig bringt sie nicht zurück: %1. In diesem Bild wachsen?</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished">, </translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Grow in this frame</source>
-        <translation type="unfinished" />
+        <translation>In diesem Bild wachsen</translation>
     </message>
 </context>
 <context>

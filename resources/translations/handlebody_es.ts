@@ -4439,7 +4439,7 @@ cercano (mm)</translation>
     </message>
     <message>
         <source>“%1” is locked: unlock it to grow in another frame.</source>
-        <translation>«%1» está bloqueado: desbloquéelo para crecer en otro instante.</translation>
+        <translation>«%1» está bloqueado: desbloquéelo para crecer en otro fotograma.</translation>
     </message>
 </context>
 <context>
@@ -5735,15 +5735,15 @@ cercano (mm)</translation>
     </message>
     <message>
         <source>These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?</source>
-        <translation>Estos objetos también pierden sus superficies, y deshacer no las recupera: %1. ¿Crecer en este instante?</translation>
+        <translation>Estos objetos también pierden sus superficies, y deshacer no las recupera: %1. ¿Crecer en este fotograma?</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished">, </translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Grow in this frame</source>
-        <translation type="unfinished" />
+        <translation>Crecer en este fotograma</translation>
     </message>
 </context>
 <context>

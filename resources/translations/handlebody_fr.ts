@@ -4439,7 +4439,7 @@ proche (mm)</translation>
     </message>
     <message>
         <source>“%1” is locked: unlock it to grow in another frame.</source>
-        <translation>« %1 » est verrouillé : déverrouillez-le pour croître à un autre instant.</translation>
+        <translation>« %1 » est verrouillé : déverrouillez-le pour croître dans une autre image.</translation>
     </message>
 </context>
 <context>
@@ -5735,15 +5735,15 @@ proche (mm)</translation>
     </message>
     <message>
         <source>These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?</source>
-        <translation>Ces objets perdent aussi leurs surfaces, et Annuler ne les rétablit pas : %1. Croître à cet instant ?</translation>
+        <translation>Ces objets perdent aussi leurs surfaces, et Annuler ne les rétablit pas : %1. Croître dans cette image ?</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished">, </translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Grow in this frame</source>
-        <translation type="unfinished" />
+        <translation>Croître dans cette image</translation>
     </message>
 </context>
 <context>

@@ -4439,7 +4439,7 @@ mean ± SD</source>
     </message>
     <message>
         <source>“%1” is locked: unlock it to grow in another frame.</source>
-        <translation>“%1”已锁定：请先解锁，再在另一时间点生长。</translation>
+        <translation>“%1”已锁定：请先解锁，再在另一帧中生长。</translation>
     </message>
 </context>
 <context>
@@ -5735,15 +5735,15 @@ mean ± SD</source>
     </message>
     <message>
         <source>These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?</source>
-        <translation>以下对象也会失去其表面，且无法撤销恢复：%1。在此时间点生长吗？</translation>
+        <translation>以下对象也会失去其表面，且无法撤销恢复：%1。在此帧中生长吗？</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished">、</translation>
+        <translation>、</translation>
     </message>
     <message>
         <source>Grow in this frame</source>
-        <translation type="unfinished" />
+        <translation>在此帧中生长</translation>
     </message>
 </context>
 <context>
