@@ -449,6 +449,8 @@ enum class FindingKind {
   firstLayerUsed,        //!< layers
   firstFrameUsed,        //!< frames
   uncalibrated,
+  volumeOffVoxels,   //!< mesh_ml, voxels_ml, percent: more than these
+  edgesNotAsAsked,   //!< median_mm, asked_mm
   voxelsNotNumbers,  //!< none, voxels
 
   // … its slices, and the folder that they are in …

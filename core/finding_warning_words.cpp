@@ -66,6 +66,15 @@ constexpr FindingWords kWords[] = {
     {K::uncalibrated, "uncalibrated",
      "The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is missing, "
      "and lengths and volumes mean nothing until {option:spacing} gives it."},
+    {K::volumeOffVoxels, "volume-off-voxels",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The mesh encloses {mesh_ml:4g} ml, the voxels that it was made of {voxels_ml:4g} ml "
+                       "({percent:0f} %): they are too few, or too narrow, for their shape to be kept.")},
+    {K::edgesNotAsAsked, "edges-not-as-asked",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "The edges of the mesh are {median_mm:3g} mm long in the median, not {asked_mm:4g} "
+         "mm as was asked for: with such edges it would leave the voxels or intersect itself.")},
     {K::voxelsNotNumbers, "voxels-not-numbers",
      QT_TRANSLATE_NOOP("Findings",
                        "{none:0f} of {voxels:0f} voxels are not a number: they count as outside of the "

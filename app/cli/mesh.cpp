@@ -129,6 +129,12 @@ void print(const Certificate& c, const std::optional<PolishReport>& polish, cons
     if (const std::string text = polishText(*polish); !text.empty()) std::printf("%s\n", text.c_str());
 }
 
+void warnOfLabels(const std::vector<Finding>& warnings, const MeshOptions& o) {
+  for (const Finding& w : warnings)
+    std::fprintf(stderr, "handlebody-cli: warning: %s\n",
+                 sentence({FindingKind::ofFile, {{"file", o.labels}}, w}).c_str());
+}
+
 int mesh(const MeshOptions& o) {
   const PhaseLine line(o.quiet);
   std::vector<OutputFile> files;
@@ -156,9 +162,8 @@ int mesh(const MeshOptions& o) {
     if (o.content.anonymous) said.source = withoutSite(std::move(said.source));
     writeResults({{chosenLabel(o.object, said), made.mesh}}, context, o.results);
   }
-  for (const Finding& w : info.warnings)
-    std::fprintf(stderr, "handlebody-cli: warning: %s\n",
-                 sentence({FindingKind::ofFile, {{"file", o.labels}}, w}).c_str());
+  warnOfLabels(info.warnings, o);
+  warnOfLabels(labelMeshWarnings(made.mesh, mask, o.how), o);
   print(made.certificate, polished, o);
   return kDone;
 }

@@ -13,6 +13,7 @@
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
 #include "core/indices.h"
+#include "core/mesh/quality.h"
 #include "core/mesh/topology.h"
 #include "core/phase.h"
 #include "core/solid/guarded_mesh.h"
@@ -28,10 +29,13 @@ namespace {
 constexpr int kFirstMoves = 10;  // before the first look at the edges
 constexpr int kRegulations = 5;
 constexpr int kMovesBetween = 3;
-constexpr double kTangential = 0.5;                // of the way to the neighbours' mean
-constexpr double kLongest = 1.5, kShortest = 0.6;  // of the edge length that is wanted
+constexpr double kTangential = 0.5;  // of the way to the neighbours' mean
+constexpr double kMuchLonger = 2;    // than edges are: these are made longer in steps
+constexpr double kStep = 1.4;        // from one edge length to the next
 constexpr VertexReach kFirstReach{0.75, 0.8}, kLaterReach{0.15, 0.3};
-constexpr double kMaxOffset = 0.3;  // of the smallest spacing, to keep the volume
+constexpr double kMaxOffset = 0.3;        // of the smallest spacing, to keep the volume
+constexpr double kMaxOffsetOfThin = 0.6;  // the same, where that has lost too much of it
+constexpr double kMaxFine = 500'000;      // faces with edges as short as the smallest spacing
 constexpr std::size_t kChunk = 1024;
 // Objects that become meshes together, voxels: how far their surfaces, which coincide where they touch, are
 // drawn back at first (where that is not enough, the next), and how far they keep from each other.
@@ -207,8 +211,8 @@ void append(TriangleSoup& all, const TriangleSoup& more) {
 //! Objects whose surfaces become smooth together, in one mesh that does not intersect itself.
 class Together {
  public:
-  Together(const std::vector<Mask>& masks, const LabelMeshOptions& options)
-      : masks_(masks), options_(options) {
+  Together(const std::vector<Mask>& masks, const LabelMeshOptions& options, double maxOffset = kMaxOffset)
+      : masks_(masks), options_(options), maxOffset_(maxOffset) {
     for (const Mask& mask : masks) {
       voxels_.push_back(maskSurface(mask));
       counted_.push_back(examine(Mesh(voxels_.back())));
@@ -229,12 +233,15 @@ class Together {
   TriangleSoup apart() const;
   TriangleSoup drawnBack(std::size_t object, double voxels) const;
   void choose(const GuardedMesh& guarded);
+  bool regulate(GuardedMesh& guarded, double edge) const;
+  void approach(GuardedMesh& guarded, Moves& moves, double edge) const;
   void smoothAndRegulate(GuardedMesh& guarded, Offsets& offsets) const;
   LabelMesh taken(const GuardedMesh& guarded, std::size_t object) const;
   double distance(const Vec3& p) const;
 
   const std::vector<Mask>& masks_;
   const LabelMeshOptions& options_;
+  double maxOffset_;                  // of the smallest spacing
   std::vector<TriangleSoup> voxels_;  // surfaces between the voxels, which may coincide
   std::vector<Certificate> counted_;
   std::deque<SmoothSurface> surfaces_;  // none is moved
@@ -321,17 +328,30 @@ double Together::distance(const Vec3& p) const {
   return nearest;
 }
 
+bool Together::regulate(GuardedMesh& guarded, double edge) const {
+  const Phase phase("regulating");
+  return guarded.regulate({kLongest * edge, kShortest * edge},
+                          [&](const Vec3& p) { return distance(p) <= kMaxApart; });
+}
+
+//! Edges that become much longer at once take vertices off the surface, to which moves bring them back.
+void Together::approach(GuardedMesh& guarded, Moves& moves, double edge) const {
+  double step = meshQuality(guarded.mesh().compact()).edges.median;
+  if (options_.edgeLength > 0 && edge > kMuchLonger * step)
+    for (step *= kStep; step < edge; step *= kStep) {
+      regulate(guarded, step);
+      moves.make(kMovesBetween, kLaterReach);
+    }
+  regulate(guarded, edge);
+}
+
 void Together::smoothAndRegulate(GuardedMesh& guarded, Offsets& offsets) const {
   const double edge = options_.edgeLength > 0 ? options_.edgeLength : masks_[0].grid.meanSpacing();
-  const RemeshLimits limits{kLongest * edge, kShortest * edge};
   Moves moves(guarded, meant_, offsets, options_.threads);
   moves.make(kFirstMoves, kFirstReach);
   for (int i = 0; i < kRegulations; ++i) {
     offsets.update(guarded);
-    {
-      const Phase phase("regulating");
-      guarded.regulate(limits, [&](const Vec3& p) { return distance(p) <= kMaxApart; });
-    }
+    approach(guarded, moves, edge);
     moves.make(kMovesBetween, kLaterReach);
   }
 }
@@ -372,7 +392,7 @@ std::vector<LabelMesh> Together::smoothed() {
   }
   GuardedMesh guarded{Mesh(apart())};
   choose(guarded);
-  Offsets offsets(volumes_, kMaxOffset * masks_[0].grid.spacing.minCoeff());
+  Offsets offsets(volumes_, maxOffset_ * masks_[0].grid.spacing.minCoeff());
   if (options_.smoothing != 0) smoothAndRegulate(guarded, offsets);
   std::vector<LabelMesh> meshes;
   for (std::size_t i = 0; i < masks_.size(); ++i) meshes.push_back(taken(guarded, i));
@@ -381,9 +401,20 @@ std::vector<LabelMesh> Together::smoothed() {
 
 }  // namespace
 
+//! What is few voxels wide along its narrow sides may be no wider than edges of the mean spacing are long,
+//! and loses its volume to them.
 LabelMesh meshOf(const Mask& mask, const LabelMeshOptions& options) {
   const std::vector<Mask> one{mask};
-  return std::move(Together(one, options).made()[0]);
+  LabelMesh made = std::move(Together(one, options).made()[0]);
+  const double meant = static_cast<double>(mask.count()) * mask.grid.voxelVolume();
+  const auto lost = [&](const LabelMesh& mesh) { return std::abs(mesh.certificate.volume - meant); };
+  if (options.smoothing == 0 || options.edgeLength > 0 || lost(made) <= kMuchVolume * meant) return made;
+  LabelMeshOptions fine = options;
+  fine.edgeLength = mask.grid.spacing.minCoeff();
+  const double shorter = mask.grid.meanSpacing() / fine.edgeLength;
+  if (static_cast<double>(made.mesh.triangles.size()) * shorter * shorter > kMaxFine) return made;
+  LabelMesh finer = std::move(Together(one, fine, kMaxOffsetOfThin).made()[0]);
+  return lost(finer) < lost(made) ? std::move(finer) : std::move(made);
 }
 
 std::vector<LabelMesh> meshesOf(const std::vector<Mask>& masks, const LabelMeshOptions& options) {

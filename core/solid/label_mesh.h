@@ -1,6 +1,9 @@
 #pragma once
 // From the voxels of an object to a smooth, even mesh of the same topology.
 
+#include <vector>
+
+#include "core/finding.h"
 #include "core/mesh/validity.h"
 #include "core/solid/mask.h"
 
@@ -8,7 +11,8 @@ namespace handlebody {
 
 struct LabelMeshOptions {
   double smoothing = -1;  //!< mm, standard deviation; negative: a voxel along each axis; 0: none
-  double edgeLength = 0;  //!< mm; 0: from the voxels
+  //! mm; 0: the mean spacing, or the smallest one where much of the volume of one object is lost with that
+  double edgeLength = 0;
   int threads = 1;
 };
 
@@ -31,6 +35,13 @@ LabelMesh meshOf(const Mask& mask, const LabelMeshOptions& options);
 //! are cut from one grid, no voxel is in two of them, and each has one.
 std::vector<LabelMesh> meshesOf(const std::vector<Mask>& masks, const LabelMeshOptions& options);
 
+//! What is to be told of a mesh of the mask, as it is in the end: its volume differs by more than kMuchVolume
+//! from that of the voxels, its edges are not of the length that was asked for.
+std::vector<Finding> labelMeshWarnings(const TriangleSoup& mesh, const Mask& mask,
+                                       const LabelMeshOptions& options);
+
 inline constexpr double kMaxMove = 0.5, kMaxApart = 0.8;
+inline constexpr double kMuchVolume = 0.05;               //!< of that of the voxels
+inline constexpr double kLongest = 1.5, kShortest = 0.6;  //!< edges, of the length that is wanted
 
 }  // namespace handlebody

@@ -4,6 +4,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/solid/comparison.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/guarded_mesh.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/label_mesh.cpp
+  ${CMAKE_SOURCE_DIR}/core/solid/label_mesh_warnings.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/mask.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/mask_surface.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/overlap.cpp

@@ -71,6 +71,32 @@ TEST_CASE("a label's mesh is certified, with its topology and volume", "[cli][me
   CHECK(compared.at("a").at("genus") == compared.at("b").at("genus"));
 }
 
+TEST_CASE("a mesh that has lost much of its voxels' volume, or has other edges than asked for, says so",
+          "[cli][mesh]") {
+  const TempFolder folder;
+  writeBytes(folder / "l.mha", someLabels());
+  const auto warned = [&](std::vector<std::string> more) {
+    std::vector<std::string> all{"mesh", folder / "l.mha", "-o", folder / "a.stl"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome outcome = runCli(all);
+    CHECK(outcome.exitCode == 0);
+    return outcome.err;
+  };
+  using Catch::Matchers::Contains;
+  CHECK_THAT(warned({"--label", "1"}), !Contains("warning"));
+  CHECK_THAT(
+      warned({"--label", "2", "--smooth", "0"}),
+      Contains("l.mha: The mesh encloses 0.0006667 ml, the voxels that it was made of 0.004 ml (-83 %)"));
+  CHECK_THAT(warned({"--label", "1", "--edge-length", "50"}), Contains("not 50 mm as was asked for"));
+  const Outcome given =
+      runCli({"segment", folder / "l.mha", "--given", folder / "l.mha", "--start-label", "2",
+              "--start-smooth", "0", "-o", folder / "b.stl", "--report", folder / "r.json"});
+  INFO(given.err);
+  REQUIRE(given.exitCode == 0);
+  CHECK_THAT(given.err, Contains("The mesh encloses 0.0006667 ml"));
+  CHECK_THAT(readBytes(folder / "r.json"), Contains("volume-off-voxels"));
+}
+
 TEST_CASE("a time point of a 4D label map is chosen", "[cli][mesh]") {
   using namespace handlebody;
   const TempFolder folder;

@@ -172,6 +172,8 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
     const auto at = read.emplace(values[i], readStart(key.path, hash, std::move(meshes[i].mesh))).first;
     at->second.shared = shared[i];
     at->second.warnings = labels.warnings();
+    for (Finding& w : labelMeshWarnings(*at->second.mesh, masks[i], {}))
+      at->second.warnings.push_back({K::ofFile, {{"file", key.path}}, std::move(w)});
   }
   return read;
 }

@@ -56,6 +56,15 @@ Mask blobs(unsigned seed) {
   return mask;
 }
 
+//! A box of so many voxels of 0.5 × 0.5 × 5 mm.
+Mask thickSlices(const std::array<int, 3>& voxels) {
+  Mask mask;
+  mask.grid.size = voxels;
+  mask.grid.spacing = Vec3(0.5, 0.5, 5);
+  mask.inside.assign(mask.grid.voxelCount(), 1);
+  return mask;
+}
+
 void requireMeshOf(const Mask& mask) {
   const VoxelTopology counted = voxelTopology(mask);
   if (counted.components == 0) return;
@@ -142,11 +151,46 @@ TEST_CASE("a tube of one voxel, and a single voxel, keep their volume and topolo
   requireMeshOf(voxel);
 }
 
+TEST_CASE("what is a few voxels wide keeps its volume in thick slices, and where it does not that is told",
+          "[solid][label-mesh]") {
+  for (const auto& voxels : {std::array{30, 3, 1}, std::array{1, 1, 12}}) {
+    const Mask mask = thickSlices(voxels);
+    requireMeshOf(mask);
+    CHECK(labelMeshWarnings(meshOf(mask, {}).mesh, mask, {}).empty());
+  }
+  const Mask few = thickSlices({2, 2, 1});
+  const TriangleSoup mesh = meshOf(few, {}).mesh;
+  const std::vector<Finding> told = labelMeshWarnings(mesh, few, {});
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].kind == FindingKind::volumeOffVoxels);
+  CHECK(told[0].number("voxels_ml") == Approx(0.005));
+  CHECK(told[0].number("mesh_ml") == Approx(certify(mesh).volume / 1000));
+  CHECK(told[0].number("percent") == std::round(100 * (certify(mesh).volume / 5 - 1)));
+}
+
 TEST_CASE("a mesh of a label map does not depend on the number of threads", "[solid][label-mesh]") {
   const Mask mask = blobs(3);
   LabelMeshOptions three;
   three.threads = 3;
   CHECK(meshOf(mask, {}).mesh.points == meshOf(mask, three).mesh.points);
+}
+
+TEST_CASE("edges of several voxels are reached where the object is large enough, and told where not",
+          "[solid][label-mesh]") {
+  const Mask ball = draw(Vec3(1, 1, 1), 24, [](const Vec3& p) { return p.norm() - 9.3; });
+  LabelMeshOptions options;
+  for (const double asked : {3.0, 4.0}) {
+    options.edgeLength = asked;
+    const TriangleSoup mesh = meshOf(ball, options).mesh;
+    CHECK(meshQuality(mesh).edges.median == Approx(asked).epsilon(0.25));
+    CHECK(labelMeshWarnings(mesh, ball, options).empty());
+  }
+  options.edgeLength = 20;
+  const std::vector<Finding> told = labelMeshWarnings(meshOf(ball, options).mesh, ball, options);
+  REQUIRE_FALSE(told.empty());
+  CHECK(told.back().kind == FindingKind::edgesNotAsAsked);
+  CHECK(told.back().number("asked_mm") == 20);
+  CHECK(told.back().number("median_mm") < kShortest * 20);
 }
 
 TEST_CASE("without smoothing the mesh is the surface between the voxels", "[solid][label-mesh]") {

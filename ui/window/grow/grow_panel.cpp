@@ -81,6 +81,9 @@ std::vector<Finding> warningsAbout(const Document& document) {
   std::vector<Finding> warnings;
   if (Finding shared = sharedVoxels(document.constraints()); shared.any())
     warnings.push_back(std::move(shared));
+  if (const auto start = document.constraints().start)
+    for (const Finding& w : start->warnings)
+      if (!w.causes.empty() && w.causes[0].kind == FindingKind::volumeOffVoxels) warnings.push_back(w);
   if (document.state() == GrowthState::finished && document.iteration() == document.lastIteration())
     warnings.insert(warnings.end(), snapshot->warnings.begin(), snapshot->warnings.end());
   return warnings;
