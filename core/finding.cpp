@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/number_text.h"
+
 namespace handlebody {
 
 const FindingValue* Finding::find(std::string_view name) const {

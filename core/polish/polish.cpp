@@ -8,6 +8,7 @@
 #include "core/collision/certify.h"
 #include "core/geometry/triangle_angles.h"
 #include "core/indices.h"
+#include "core/number_text.h"
 #include "core/phase.h"
 #include "core/polish/patch_search.h"
 #include "core/polish/polished_surface.h"

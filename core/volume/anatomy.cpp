@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/number_text.h"
+
 namespace handlebody {
 std::array<int, 3> nearestAxes(const Grid& grid) {
   std::array<int, 3> order{0, 1, 2}, best = order;

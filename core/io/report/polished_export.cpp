@@ -5,6 +5,7 @@
 
 #include "core/evolution/walls.h"
 #include "core/mesh/quality.h"
+#include "core/number_text.h"
 
 namespace handlebody {
 
@@ -43,11 +44,12 @@ PolishReport polish(CertifiedMesh& made, const PolishOptions& options) {
 std::string polishText(const PolishReport& report) {
   const PolishCount &was = report.before, &is = report.after;
   if (was.faces == 0 && was.edges == 0) return {};
-  return printed("polished: %d thin triangle%s and %d sharp edge%s, now %d and %d; least angle %.3g to %.3g "
-                "degrees, least dihedral angle %.3g to %.3g; %d faces changed, by up to %.3g mm",
-                was.faces, was.faces == 1 ? "" : "s", was.edges, was.edges == 1 ? "" : "s", is.faces,
-                is.edges, was.leastAngle, is.leastAngle, was.leastDihedral, is.leastDihedral,
-                report.changedFaces, report.farthest);
+  return printed(
+      "polished: %d thin triangle%s and %d sharp edge%s, now %d and %d; least angle %.3g to %.3g "
+      "degrees, least dihedral angle %.3g to %.3g; %d faces changed, by up to %.3g mm",
+      was.faces, was.faces == 1 ? "" : "s", was.edges, was.edges == 1 ? "" : "s", is.faces, is.edges,
+      was.leastAngle, is.leastAngle, was.leastDihedral, is.leastDihedral, report.changedFaces,
+      report.farthest);
 }
 
 namespace {
