@@ -6,7 +6,7 @@ TEST_PACKAGES="catch2 clang-format doxygen libcgal-dev xvfb xauth fonts-dejavu-c
 PACKAGE_PACKAGES="file dpkg-dev fakeroot"
 COVERAGE_PACKAGES="gcovr"
 LINT_PACKAGES="clang-tidy"
-RUN_PACKAGES="qt6-qpa-plugins qt6-wayland qt6-translations-l10n fonts-dejavu-core libgl1-mesa-dri"
+RUN_PACKAGES="qt6-qpa-plugins qt6-wayland qt6-translations-l10n fonts-dejavu-core fonts-droid-fallback libgl1-mesa-dri"
 
 # The packages of the groups named ("build", "test", "package", "coverage", "lint", "run"), on this release of Debian.
 wanted_packages() {
