@@ -1,10 +1,13 @@
 #include "core/io/atomic_file.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 
 #include "app/picture/picture.h"
+#include "core/io/meshes/gltf.h"
 #include "core/io/meshes/mesh_io.h"
 #include "tests/io/io_test_support.h"
 
@@ -53,6 +56,25 @@ class FullDisk {
  private:
   rlimit before_{};
   void (*handler_)(int) = nullptr;
+};
+
+//! What is written to it goes to a file while this lives.
+class StandardError {
+ public:
+  explicit StandardError(const std::string& path) : before_(::dup(2)) {
+    const int file = ::open(path.c_str(), O_CREAT | O_WRONLY, 0600);
+    ::dup2(file, 2);
+    ::close(file);
+  }
+  ~StandardError() {
+    ::dup2(before_, 2);
+    ::close(before_);
+  }
+  StandardError(const StandardError&) = delete;
+  StandardError& operator=(const StandardError&) = delete;
+
+ private:
+  int before_;
 };
 
 }  // namespace
@@ -117,6 +139,34 @@ TEST_CASE("a full disk is an error that names the file, and leaves nothing behin
     }
     CHECK(message.rfind(folder / name, 0) == 0);
     CHECK(folder.fileCount() == 0);
+  }
+}
+
+TEST_CASE("a full disk is called that of a scene, too") {
+  const TemporaryFolder folder;
+  std::string message;
+  {
+    const FullDisk disk(100);
+    try {
+      writeGltf({{ObjectLabel(), tetrahedron()}}, folder / "m.gltf");
+    } catch (const OutputError& e) {
+      message = e.what();
+    }
+  }
+  CHECK_THAT(message, Contains("did not reach the disk"));
+  CHECK(folder.fileCount() == 0);
+}
+
+TEST_CASE("of a full disk no library says anything of its own") {
+  const TemporaryFolder folder, log;
+  const Volume volume = randomVolume(obliqueGrid(), VoxelType::uint8);
+  for (const char* name : {"v.nii", "v.nii.gz", "v.nrrd", "v.mha"}) {
+    {
+      const StandardError kept(log / name);
+      const FullDisk disk(100);
+      CHECK_THROWS_AS(writeVolume(volume, folder / name), OutputError);
+    }
+    CHECK(readBytes(log / name).empty());
   }
 }
 

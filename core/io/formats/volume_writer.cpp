@@ -1,11 +1,14 @@
 // Volumes and label maps through ITK. ITK's writers do not report a full disk in every format: what was
 // written is read back and compared, and where it lies, before it gets its name.
 
+#include <fcntl.h>
 #include <itkMetaDataObject.h>
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstring>
 
 #include "core/io/atomic_file.h"
@@ -18,6 +21,8 @@
 
 namespace handlebody {
 namespace {
+
+constexpr std::size_t kNiftiHeader = 352;
 
 itk::ImageIOBase::Pointer writerFor(const std::string& path) {
   const std::string name = lowered(path);
@@ -70,6 +75,17 @@ void verify(const Volume& volume, const std::string& temporary, const std::strin
   if (!same) refuseOutput(path, FindingKind::notOnDisk);
 }
 
+//! NIfTI's library says on standard error what it could not write, and cannot be told not to: without room
+//! for all of it, it is not asked. How much a packed file needs nobody knows; of those it says nothing.
+void requireRoom(const Volume& volume, const std::string& temporary, const std::string& path) {
+  const std::size_t bytes = kNiftiHeader + volume.grid.voxelCount() * bytesPerVoxel(volume.type);
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) refuseOutput(path, systemFinding(errno));
+  const int fault = ::posix_fallocate(file, 0, static_cast<off_t>(bytes));
+  ::close(file);
+  if (fault == ENOSPC || fault == EDQUOT || fault == EFBIG) refuseOutput(path, systemFinding(fault));
+}
+
 }  // namespace
 
 bool isLabelMapPath(const std::string& path) {
@@ -91,6 +107,7 @@ void writeVolumeWithKeys(const Volume& volume, const std::string& path,
     for (int n : volume.grid.size)
       if (n > 32767) refuseOutput(path, FindingKind::niftiTooLarge);
   writeAtomically(path, [&](const std::string& temporary) {
+    if (lowered(path).ends_with(".nii")) requireRoom(volume, temporary, path);
     try {
       const Quiet quiet;
       describe(*io, volume);

@@ -105,6 +105,7 @@ void writeGltf(const std::vector<ExportedObject>& objects, const std::string& pa
   writeAtomically(path, [&](const std::string& temporary) {
     const VtkSilence silence;
     Json json = written(objects, temporary);
+    if (!json.is_object()) refuseOutput(path, FindingKind::notOnDisk);  // it ends before its end
     if (!complete(json, objects)) refuseOutput(path, FindingKind::noScene);
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
     out << json.dump(1) << '\n';
