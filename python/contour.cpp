@@ -120,7 +120,7 @@ std::shared_ptr<const TriangleSoup> Contour::surface() const {
 const PythonMesh& Contour::mesh() const {
   if (!mesh_) {
     CertifiedMesh made = grownMesh(active_);
-    polish_ = polish(made, polishOptions(active_, made.mesh));
+    if (isPolished(told_.session)) polish_ = polish(made, polishOptions(active_, made.mesh));
     mesh_.emplace(std::move(made));
   }
   return *mesh_;
@@ -136,7 +136,9 @@ RunReport Contour::report(bool isComplete) const {
     report.tunnels = findTunnelsQuickly(soup, report.mesh);
   }
   report.polish = polish_;
-  if (Finding warning = polishWarning(*polish_); warning.any()) report.warnings.push_back(std::move(warning));
+  if (polish_)
+    if (Finding warning = polishWarning(*polish_); warning.any())
+      report.warnings.push_back(std::move(warning));
   addWarnings(active_, soup, report);
   return report;
 }

@@ -69,7 +69,7 @@ class Contour {
   mutable std::mutex busy_;
   mutable std::shared_ptr<const TriangleSoup> surface_;  // of this iteration; null: not asked for yet
   mutable std::optional<PythonMesh> mesh_;               // the same
-  mutable std::optional<PolishReport> polish_;           // of that mesh
+  mutable std::optional<PolishReport> polish_;           // of that mesh; none: not polished
 };
 
 }  // namespace handlebody::python

@@ -245,8 +245,6 @@ void warn(const std::vector<Finding>& warnings, const std::string& name) {
     std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), sentence(d).c_str());
 }
 
-bool isPolished(const Session& session) { return session.polish && !isMeshAsItIs(session.constraints); }
-
 //! Perturbed runs go on until they are at rest, and would be compared with a surface that is not.
 bool isAtRest(const RunReport& report) {
   return !report.isStoppedAtLeak && !report.isStoppedToAsk && report.stopped != StopReason::running;

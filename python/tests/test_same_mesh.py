@@ -64,6 +64,34 @@ def test_several_clicks_and_constraints_are_those_of_the_command_line(torus_file
     assert_same(contour.mesh(), tmp_path / "cli.obj")
 
 
+def with_a_thin_triangle(mesh):
+    """One face becomes three that meet next to the middle of an edge."""
+    a, b, c = mesh.faces[0]
+    middle = mesh.vertices[[a, b, c]].T @ (0.495, 0.495, 0.01)
+    new = len(mesh.vertices)
+    faces = np.vstack([mesh.faces[1:], [(a, b, new), (b, c, new), (c, a, new)]])
+    return handlebody.Mesh(np.vstack([mesh.vertices, middle]), faces)
+
+
+def test_a_given_mesh_stays_as_it_is_and_is_that_of_the_command_line(torus_file, tmp_path, cli):
+    path, seed = torus_file
+    volume = handlebody.read_volume(path)
+    first = handlebody.Contour(volume, seed=seed)
+    first.run()
+    given = tmp_path / "given.ply"
+    with_a_thin_triangle(first.mesh()).save(given)
+    contour = handlebody.Contour(volume, given=given)
+    assert contour.stop_reason == "given"
+    contour.run()
+    read = handlebody.read_mesh(given)
+    np.testing.assert_array_equal(contour.mesh().vertices, read.vertices)
+    np.testing.assert_array_equal(contour.mesh().faces, read.faces)
+    cli("segment", path, "--given", given, "-o", tmp_path / "cli.obj", "--quiet")
+    assert_same(contour.mesh(), tmp_path / "cli.obj")
+    assert "polish" not in contour.report()
+    assert any("as it was given" in warning for warning in contour.warnings())
+
+
 def test_an_array_makes_the_mesh_of_its_file(torus_file):
     path, seed = torus_file
     read = handlebody.read_volume(path)

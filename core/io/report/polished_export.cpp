@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/evolution/walls.h"
+#include "core/io/report/start_surface.h"
 #include "core/mesh/quality.h"
 #include "core/number_text.h"
 
@@ -12,6 +13,8 @@ namespace handlebody {
 double polishDistance(const Grid& grid) { return kPolishVoxels * grid.spacing.minCoeff(); }
 
 double polishDistance(const TriangleSoup& mesh) { return kPolishVoxels * meshQuality(mesh).edges.median; }
+
+bool isPolished(const Session& session) { return session.polish && !isMeshAsItIs(session.constraints); }
 
 PolishOptions polishOptions(const GrownUnder& grown, const TriangleSoup& mesh) {
   PolishOptions options;

@@ -15,6 +15,10 @@ double polishDistance(const Grid& grid);
 //! The same for a mesh without a grid: a part of its median edge.
 double polishDistance(const TriangleSoup& mesh);
 
+//! True if the surface of a session is polished before it is written: that was asked for, and it is no mesh
+//! that is to stay as it is (isMeshAsItIs). Of a session whose starts have been read.
+bool isPolished(const Session& session);
+
 //! What the constraints of the growth leave to polishing: no face in a wall, nothing of what is pinned.
 PolishOptions polishOptions(const GrownUnder& grown, const TriangleSoup& mesh);
 inline PolishOptions polishOptions(const ActiveContour& contour, const TriangleSoup& mesh) {
