@@ -504,7 +504,10 @@ enum class FindingKind {
   surfacePartlyOutside,
   voxelsWithoutValue,  //!< voxels
   noVoxelInside,
-  noCavity,  //!< object
+  noCavity,           //!< object
+  leftOutUnseeded,    //!< object
+  otherVersion,       //!< session, version, here
+  oneFrameOfSeveral,  //!< frame
 
   // What is wrong with an option, a session or a label map …
   startAndGiven,

@@ -211,6 +211,14 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings", "No voxel with a value has its centre inside.")},
     {K::noCavity, "no-cavity",
      QT_TRANSLATE_NOOP("Findings", "“{object}” has no cavity, and so no wall around one.")},
+
+    // Of a session that is grown again.
+    {K::leftOutUnseeded, "left-out-unseeded", "object '{object}' has no seed and is left out."},
+    {K::otherVersion, "other-version",
+     "{session} was made by version {version}; this is {here}, and the mesh may differ."},
+    {K::oneFrameOfSeveral, "one-frame-of-several",
+     "the session carries the surface through other frames, too, and these figures are of frame {frame:0f} "
+     "alone; handlebody-cli replay writes those of all."},
 };
 
 }  // namespace

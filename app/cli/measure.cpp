@@ -6,8 +6,10 @@
 
 #include "app/cli/command.h"
 #include "app/cli/outputs.h"
+#include "app/cli/over_time.h"
 #include "app/cli/progress.h"
 #include "app/cli/run_objects.h"
+#include "app/cli/session_warnings.h"
 #include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
@@ -89,10 +91,22 @@ ObjectPair pairOfWall(const MeasureOptions& o, const std::vector<Session>& sessi
   return std::array{find(o.wallObjects[0]), find(o.wallObjects[1])};
 }
 
+//! Those of `replay`, whose objects and frame are taken: what it leaves out is left out.
+std::vector<Finding> warningsOf(const MeasureOptions& o, std::vector<Session>& sessions) {
+  const std::string version = sessions[0].version;
+  std::vector<Finding> warnings = leaveOutUnseeded(sessions);
+  for (Finding& other : warningsOfVersion(o.isAnonymous ? "SESSION" : o.path, version))
+    warnings.push_back(std::move(other));
+  if (!sessions[0].overTime) return warnings;
+  chooseFrame(sessions[0]);
+  warnings.push_back({FindingKind::oneFrameOfSeveral, {{"frame", *sessions[0].volume.selection.frame}}});
+  return warnings;
+}
+
 //! Grows the objects of a session again. Returns the two of the wall.
 ObjectPair measureSession(const MeasureOptions& o, Measured& m) {
   std::vector<Session> sessions = readSessions(o.path, {o.volume, {}, {}});
-  std::erase_if(sessions, [](const Session& session) { return !isSeeded(session); });
+  m.warnings = warningsOf(o, sessions);
   const ObjectPair ofWall = pairOfWall(o, sessions);  // by the names that the session has
   if (o.isAnonymous) hideFileNames(sessions);
   if (o.selection.series) sessions[0].volume.selection.series = o.selection.series;

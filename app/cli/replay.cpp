@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 
 #include "app/cli/command.h"
 #include "app/cli/over_time.h"
 #include "app/cli/progress.h"
 #include "app/cli/run_objects.h"
+#include "app/cli/session_warnings.h"
 #include "core/errors.h"
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/voxel_fingerprint.h"
@@ -45,21 +45,10 @@ std::vector<ObjectLabel> labelsOf(const std::string& path, const std::vector<Ses
   return labels;
 }
 
-//! What the window keeps of an object that nobody has clicked into yet.
-void leaveOutUnseeded(std::vector<Session>& sessions) {
-  for (const Session& session : sessions)
-    if (!isSeeded(session))
-      std::cerr << "handlebody-cli: warning: object '" << session.label.name
-                << "' has no seed and is left out." << std::endl;
-  const std::string view = sessions[0].view;
-  std::erase_if(sessions, [](const Session& session) { return !isSeeded(session); });
-  sessions[0].view = view;
-}
-
 int replay(ReplayOptions o) {
   const PhaseLine line(o.outputs.quiet);
   std::vector<Session> sessions = readSessions(o.path, o.inputs);
-  leaveOutUnseeded(sessions);
+  tellWarnings(leaveOutUnseeded(sessions));
   std::vector<std::string> inputs{o.path};
   const std::string version = sessions[0].version;
   for (Session& session : sessions) {
@@ -80,9 +69,7 @@ int replay(ReplayOptions o) {
     checkOutputs(o.outputs, inputs);
   }
   checkSpace(o.space, o.outputs.results);
-  if (version != HANDLEBODY_VERSION)
-    std::cerr << "handlebody-cli: warning: " << o.path << " was made by version " << version << "; this is "
-              << HANDLEBODY_VERSION << ", and the mesh may differ." << std::endl;
+  tellWarnings(warningsOfVersion(o.path, version));
 
   try {
     LoadedSession first = load(std::move(sessions[0]), o.outputs.content.anonymous);

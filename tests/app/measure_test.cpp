@@ -356,6 +356,35 @@ TEST_CASE("an object of a session that is called after its file is not called so
     CHECK_THAT(readBytes(folder / name), Contains("Object 1") && !Contains("DOE_JANE"));
 }
 
+TEST_CASE("what replay warns of a session is told where it is measured, too", "[cli][measure]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const std::string path = folder / "s.json";
+  const auto grow = [&](const std::vector<std::string>& objects) {
+    std::vector<std::string> all{"segment",   phantom.path, "-o",     folder / "a.stl",
+                                 "--session", path,         "--quiet"};
+    all.insert(all.end(), objects.begin(), objects.end());
+    const int code = runCli(all).exitCode;
+    REQUIRE((code == 0 || code == 5));  // the second one is stopped early
+    return nlohmann::json::parse(readBytes(path));
+  };
+  nlohmann::json two = grow({"--object-name", "a", "--seed", phantom.seed, "--object-name", "later",
+                             "--seed-ijk", "3,3,3,2", "--range", "-inf,inf", "--max-iterations", "1"});
+  two["version"] = "0.0.1";
+  two["objects"][1]["requested"]["seeds"] = nlohmann::json::array();
+  writeBytes(path, two.dump());
+  const auto warnings = measured(folder, {path}).at("warnings").dump();
+  CHECK_THAT(warnings, Contains("object 'later' has no seed and is left out") &&
+                           Contains("was made by version 0.0.1") && Contains(path));
+  const Outcome replayed = runCli({"replay", path, "-o", folder / "b.stl"});
+  CHECK_THAT(replayed.err, Contains("object 'later' has no seed") && Contains("version 0.0.1"));
+  CHECK_THAT(measured(folder, {path, "--anonymous"}).at("warnings").dump(), !Contains(path));
+  nlohmann::json overTime = grow({"--seed", phantom.seed});
+  overTime["over_time"] = {{"frames", "all"}, {"topology", "free"}, {"drift_check", "none"}};
+  writeBytes(path, overTime.dump());
+  CHECK_THAT(measured(folder, {path}).at("warnings").dump(), Contains("are of frame 0 alone"));
+}
+
 TEST_CASE("rulers and angles of a session are in text and JSON and the table", "[cli][measure]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);
