@@ -1,7 +1,10 @@
 #include "app/cli/command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <string_view>
 
 #include "core/io/report/json.h"
 #include "core/io/report/option_error.h"
@@ -9,10 +12,46 @@
 
 namespace handlebody::cli {
 
+namespace {
+
+constexpr std::array<std::string_view, 12> kPathTypes{"OUT",      "DIR",           "FOLDER",   "F",
+                                                      "DIST.vtp", "LABEL",         "LABELMAP", "MESH",
+                                                      "MESH2",    "MESH|LABELMAP", "PATH",     "VOLUME"};
+
+}  // namespace
+
 CLI::App* addCommand(CLI::App& app, const std::string& name, const std::string& description) {
   CLI::App* command = app.add_subcommand(name, description);
   command->footer(kNotice);
   return command;
+}
+
+namespace {
+
+//! By what the help calls its value.
+bool isPath(const CLI::Option& option) {
+  const std::string& type = option.get_type_name();
+  return type.starts_with("F.") || std::find(kPathTypes.begin(), kPathTypes.end(), type) != kPathTypes.end();
+}
+
+std::string nameOf(const CLI::Option& option) {
+  const auto& shorter = option.get_snames();
+  return shorter.empty() ? "--" + option.get_lnames().at(0) : "-" + shorter[0];
+}
+
+}  // namespace
+
+void checkPaths(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    if (option->get_positional() || !isPath(*option)) continue;
+    option->check([&command, name = nameOf(*option)](const std::string& text) -> std::string {
+      if (text.empty()) throw OptionError(name, "the path is empty.");
+      if (text.starts_with("--") || (text.starts_with("-") && command.get_option_no_throw(text)))
+        throw OptionError(name,
+                          "'" + text + "' is no path but an option; a file of that name is ./" + text + ".");
+      return {};
+    });
+  }
 }
 
 void addAnonymous(CLI::App& command, bool& isAnonymous) {

@@ -53,6 +53,11 @@ Action segmentSeveralObjects(const std::vector<std::string>& arguments);
 //! A subcommand with the notice under its help.
 CLI::App* addCommand(CLI::App& app, const std::string& name, const std::string& description);
 
+//! Each option of the command that takes a path throws OptionError for an empty one, and for what begins like
+//! an option or is one: it was meant as that, and the path before it is missing. "./--x" is a path. To be
+//! called when all options have been added.
+void checkPaths(CLI::App& command);
+
 //! Adds --anonymous of a command that tells figures.
 void addAnonymous(CLI::App& command, bool& isAnonymous);
 

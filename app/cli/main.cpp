@@ -78,6 +78,7 @@ int parseAndPerform(int argc, char** argv) {
   for (auto add : {addSegment, addInfo, addCheck, addEdit, addHandles, addPhantom, addReplay, addCompare,
                    addMesh, addMeasure, addBatch, addDecode})
     add(app, action);
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) checkPaths(*command);
   const Started started = startedWith({argv + 1, argv + argc});
   const Run run(started.isCase);
   const std::vector<std::string> arguments = withSlurmOptions(started.arguments);

@@ -138,6 +138,7 @@ void addOptions(CLI::App& command, SegmentOptions& options) {
 }
 
 void parse(CLI::App& command, const std::vector<std::string>& arguments) try {
+  checkPaths(command);
   command.parse(
       std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them from the back
 } catch (const CLI::ParseError& error) {
