@@ -42,8 +42,8 @@ struct EditOptions {
   TunnelCut cut = TunnelCut::shorter;
   std::optional<CoordinateSpace> space;
   std::vector<std::pair<std::string, MeshEdit>> touches;  // by option and text, in the order given
-  Polish polish = Polish::edits;
-  double mesherSeconds = kMesherSeconds;
+  std::optional<Polish> polish;                           // none: as Polish::edits
+  std::optional<double> mesherSeconds;
   bool keepLargest = false, fillCavities = false, json = false, quiet = false, isAnonymous = false;
 
   bool edits() const {
@@ -147,6 +147,8 @@ Json answer(const EditOptions& o, const Contents& before, const Edited& done,
 void checkOptions(const EditOptions& o) {
   if (o.path.empty()) throw UsageError("MESH is required.");
   if (o.edits() && o.results.empty()) throw UsageError("-o: an edit needs a file to write.");
+  if (o.results.empty() && (o.space || o.polish))
+    throw OptionError(o.space ? "--space" : "--polish", "has no effect without -o: nothing is written.", " ");
   if (!o.edits() && !o.results.empty())
     throw UsageError(
         "-o: there is no edit to write; see --close-tunnels, --keep-largest, --fill-cavities, --smooth-here, "
@@ -159,6 +161,7 @@ void checkOptions(const EditOptions& o) {
     checkResult(path, {});
   }
   checkSpace(o.space, o.results);
+  checkEffect({}, o.mesherSeconds, o.results);
   if (!o.report.empty()) files.push_back({"--report", o.report});
   checkWritable(files, {o.path});
 }
@@ -211,7 +214,7 @@ void polish(CertifiedMesh& made, const TriangleSoup& before, const EditOptions& 
   if (o.polish == Polish::off) return;
   PolishOptions options;
   options.bounds.distance = polishDistance(before);
-  if (o.polish == Polish::edits) options.isOwn = newTriangles(made.mesh, before);
+  if (o.polish != Polish::all) options.isOwn = newTriangles(made.mesh, before);
   done.polish = handlebody::polish(made, options);
   warnOfPolish(*done.polish);
 }
@@ -246,7 +249,8 @@ int editMesh(const EditOptions& o) {
   {
     const DeferSignals whole;
     const CancelScope scope(DeferSignals::stopToken());
-    const ExportContext context{{}, o.space.value_or(CoordinateSpace::lps), {}, {}, o.mesherSeconds};
+    const ExportContext context{
+        {}, o.space.value_or(CoordinateSpace::lps), {}, {}, o.mesherSeconds.value_or(kMesherSeconds)};
     writeResults({{ObjectLabel(), out.mesh}}, context, o.results);
     if (!o.report.empty()) writeTextAtomically(o.report, json);
   }

@@ -1,10 +1,12 @@
 #include "app/cli/export_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
+#include "core/io/tetrahedra/tetrahedra.h"
 
 namespace handlebody::cli {
 
@@ -41,16 +43,29 @@ void addPolish(CLI::App& command, std::optional<bool>& polish) {
       ->type_name("on|off");
 }
 
-void addMesherSeconds(CLI::App& command, double& seconds) {
+void addMesherSeconds(CLI::App& command, std::optional<double>& seconds) {
   const auto set = [&seconds](const std::string& text) {
     seconds = parseNumber("--mesher-seconds", text);
-    if (!(seconds > 0)) throw OptionError("--mesher-seconds", "'" + text + "' is not above 0.");
+    if (!(*seconds > 0)) throw OptionError("--mesher-seconds", "'" + text + "' is not above 0.");
   };
   command
       .add_option_function<std::string>(
           "--mesher-seconds", set,
           "How long gmsh or TetGen may work on an object's tetrahedra before it is killed (default 1800)")
       ->type_name("S");
+}
+
+void checkEffect(const DicomContent& content, const std::optional<double>& mesherSeconds,
+                 const std::vector<std::string>& results) {
+  const auto isAny = [&results](auto&& is) { return std::any_of(results.begin(), results.end(), is); };
+  const auto refuse = [](const char* option, const char* needed) {
+    throw OptionError(option, std::string("has no effect without -o of a ") + needed + ".", " ");
+  };
+  const bool isSegmentation = isAny(isDicomSegmentationPath);
+  if (!content.creator.empty() && !isSegmentation) refuse("--creator", ".seg.dcm");
+  if (!content.description.empty() && !isSegmentation && !isAny(isDicomStlPath))
+    refuse("--description", ".seg.dcm or .stl.dcm");
+  if (mesherSeconds && !isAny(isTetrahedraPath)) refuse("--mesher-seconds", ".msh, .vtu or .inp");
 }
 
 void warnOfPolish(const PolishReport& report, const std::string& name) {

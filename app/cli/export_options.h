@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/io/dicom/dicom_writer.h"
 #include "core/polish/polish.h"
@@ -20,7 +21,12 @@ void addContent(CLI::App& command, DicomContent& content);
 void addPolish(CLI::App& command, std::optional<bool>& polish);
 
 //! Adds --mesher-seconds.
-void addMesherSeconds(CLI::App& command, double& seconds);
+void addMesherSeconds(CLI::App& command, std::optional<double>& seconds);
+
+//! Throws UsageError for --creator, --description or --mesher-seconds where no result is of a format that it
+//! says something of.
+void checkEffect(const DicomContent& content, const std::optional<double>& mesherSeconds,
+                 const std::vector<std::string>& results);
 
 //! On standard error what is left, behind `name` if that is not empty; nothing where nothing is.
 void warnOfPolish(const PolishReport& report, const std::string& name = {});

@@ -28,7 +28,7 @@ struct MeasureOptions {
   VolumeSelection selection;
   std::vector<Vec3> between;
   std::vector<std::string> wallObjects;  // names; none: the mesh and --to, or its cavities
-  bool wall = false, quiet = false, isAnonymous = false;
+  bool wall = false, quiet = false, isAnonymous = false, saysUneven = false;
   std::string csv, json, sections;
 };
 
@@ -189,10 +189,11 @@ void check(const MeasureOptions& o) {
   checkWritable(outputsOf(o), inputs);
   if (!o.sections.empty() && o.between.empty()) throw UsageError("--sections needs --between.");
   const bool isMesh = isMeshInputPath(o.path);
-  if (isMesh && o.volume.empty() && (o.selection.series || o.selection.frame || o.selection.spacing))
-    throw UsageError("--series, --frame and --spacing need --volume.");
-  if (!isMesh && (o.selection.frame || o.selection.spacing))
-    throw UsageError("--frame and --spacing: a session says these itself.");
+  if (isMesh && o.volume.empty() &&
+      (o.selection.series || o.selection.frame || o.selection.spacing || o.saysUneven))
+    throw UsageError("--series, --frame, --spacing and --uneven need --volume.");
+  if (!isMesh && (o.selection.frame || o.selection.spacing || o.saysUneven))
+    throw UsageError("--frame, --spacing and --uneven: a session says these itself.");
   checkWallObjects(o);
 }
 
@@ -290,7 +291,10 @@ void addMeasure(CLI::App& app, Action& action) {
   command->add_option("--json", options->json, "Everything as JSON")->type_name("F.json");
   command->add_flag("--quiet", options->quiet, "No progress");
   addAnonymous(*command, options->isAnonymous);
-  command->callback([&action, options] { action = [options] { return measure(*options); }; });
+  command->callback([&action, options, command] {
+    options->saysUneven = command->count("--uneven") > 0;
+    action = [options] { return measure(*options); };
+  });
 }
 
 }  // namespace handlebody::cli

@@ -35,7 +35,7 @@ struct MeshOptions {
   std::string labels, label;
   std::optional<int> genus, frame;
   std::optional<bool> polish;
-  double mesherSeconds = kMesherSeconds;
+  std::optional<double> mesherSeconds;
   bool keepLargest = false, json = false;
   LabelMeshOptions how;
   std::vector<std::string> results;
@@ -144,11 +144,16 @@ int mesh(const MeshOptions& o) {
       throw UsageError("-o " + path + ": an output ends in " + std::string(resultEndings()) + ".");
   }
   checkSpace(o.space, o.results);
+  checkEffect(o.content, o.mesherSeconds, o.results);
+  if (o.how.smoothing == 0 && o.how.edgeLength > 0)
+    throw OptionError("--edge-length", "has no effect with --smooth 0, which leaves the voxels' own faces.",
+                      " ");
   checkWritable(files, {o.labels});
   const std::optional<int> label = labelOf(o.labels, o.label);
   LabelFile file = openLabels(o.labels, o.frame);
   const VolumeInfo& info = file.info();
-  const ExportContext context{info.grid, o.space, info.dicom, o.content, o.mesherSeconds};
+  const ExportContext context{info.grid, o.space, info.dicom, o.content,
+                              o.mesherSeconds.value_or(kMesherSeconds)};
   for (const std::string& path : o.results) checkResult(path, context);
   requireSmooth(info.grid, o.how.smoothing);
   const Mask mask = maskIn(file, o, label);

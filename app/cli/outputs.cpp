@@ -102,11 +102,13 @@ void checkResultExtension(const OutputFile& file) {
     throw OptionError(file.option, file.path + ": unknown extension; " + resultEndings() + ".", " ");
 }
 
-void checkSpace(std::optional<CoordinateSpace> space, const std::vector<std::string>& results) {
-  if (space == CoordinateSpace::ras && areSpacesFixed(results))
-    throw OptionError(
-        "--space", "RAS has no effect: .gltf (in metres, y up) and .stl.dcm (LPS) have a space of their own.",
-        " ");
+void checkSpace(std::optional<CoordinateSpace> space, const std::vector<std::string>& results,
+                const std::string& session) {
+  if (space == CoordinateSpace::ras && session.empty() && areSpacesFixed(results))
+    throw OptionError("--space",
+                      "RAS has no effect: it is for meshes, of which .gltf (in metres, y up) and .stl.dcm "
+                      "(LPS) have a space of their own.",
+                      " ");
 }
 
 namespace {

@@ -31,9 +31,10 @@ void checkVolumeExtension(const OutputFile& file);
 //! Throws UsageError unless it is .png.
 void checkPictureExtension(const OutputFile& file);
 
-//! Throws UsageError if RAS was chosen, and all meshes are of formats whose space is fixed: it would be of no
-//! effect.
-void checkSpace(std::optional<CoordinateSpace> space, const std::vector<std::string>& results);
+//! Throws UsageError if RAS was chosen, there is no `session` to keep it, and all results are of formats
+//! whose space is fixed: it would be of no effect.
+void checkSpace(std::optional<CoordinateSpace> space, const std::vector<std::string>& results,
+                const std::string& session = {});
 
 //! Holds interrupt, termination and hang-up back while it lives, so that no file is left half-written; a
 //! signal that came takes effect when it goes.

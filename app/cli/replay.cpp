@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/export_options.h"
 #include "app/cli/over_time.h"
 #include "app/cli/progress.h"
 #include "app/cli/run_objects.h"
@@ -68,7 +69,8 @@ int replay(ReplayOptions o) {
     if (!o.overTime.curves.empty()) throw UsageError("--curve needs a session that was made with --frames.");
     checkOutputs(o.outputs, inputs);
   }
-  checkSpace(o.space, o.outputs.results);
+  checkSpace(o.space, o.outputs.results, o.outputs.session);
+  checkEffect(o.outputs.content, o.outputs.mesherSeconds, o.outputs.results);
   tellWarnings(warningsOfVersion(o.path, version));
 
   try {

@@ -192,7 +192,7 @@ namespace {
 
 ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
   return {report.volume.grid, report.session.space, report.volume.dicom, outputs.content,
-          outputs.mesherSeconds};
+          outputs.mesherSeconds.value_or(kMesherSeconds)};
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct RunOutputs {
   DicomContent content;
   OnLeak onLeak = OnLeak::goOn;
   OnHeld onHeld = OnHeld::hold;
-  double mesherSeconds = kMesherSeconds;
+  std::optional<double> mesherSeconds;
   std::optional<bool> polish;  //!< none: as the session says
   bool quiet = false;
   bool listsCandidates = false;  //!< also where a boundary is beyond doubt

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/export_options.h"
 #include "app/cli/frame_files.h"
 #include "app/cli/object_groups.h"
 #include "app/cli/over_time.h"
@@ -106,7 +107,8 @@ int segment(SegmentOptions o) {
   } else {
     checkOutputs(o.outputs, inputsOf(session));
   }
-  checkSpace(o.space, o.outputs.results);
+  checkSpace(o.space, o.outputs.results, o.outputs.session);
+  checkEffect(o.outputs.content, o.outputs.mesherSeconds, o.outputs.results);
 
   LoadedSession loaded = load(std::move(session), o.outputs.content.anonymous);
   loaded.session.seeds = seedsInWorld(clicks, loaded.volume.grid);
@@ -241,7 +243,9 @@ int segmentSeveral(SeveralObjects all) {
   for (const Session& session : all.sessions)
     for (const std::string& path : inputsOf(session)) inputs.push_back(path);
   checkOutputs(all.run.outputs, inputs);
-  checkSpace(all.run.space, all.run.outputs.results);
+  const RunOutputs& outputs = all.run.outputs;
+  checkSpace(all.run.space, outputs.results, outputs.session);
+  checkEffect(outputs.content, outputs.mesherSeconds, outputs.results);
   LoadedSession first = load(std::move(all.sessions[0]), all.run.outputs.content.anonymous);
   first.session.seeds = seedsInWorld(all.clicks[0], first.volume.grid);
   std::vector<Session> others;
@@ -273,6 +277,7 @@ void checkSegmentArguments(const std::vector<std::string>& arguments) {
   addOptions(command, options);
   parse(command, arguments);
   clicksOf(options);
+  checkEffect(options.outputs.content, options.outputs.mesherSeconds, options.outputs.results);
   const bool isOverTime = requestOf(options.overTime).has_value();
   for (const std::string& path : options.outputs.results)
     if (isOverTime)

@@ -203,8 +203,8 @@ TEST_CASE("a label map lies on the input grid and encloses the volume of the mes
 TEST_CASE("RAS is refused where no mesh that is written could be turned", "[cli][segment]") {
   const SphereRun run;
   const std::string gltf = run.folder / "m.gltf", dicom = run.folder / "m.stl.dcm";
-  for (const auto& paths :
-       std::vector<std::vector<std::string>>{{gltf}, {gltf, dicom}, {gltf, run.folder / "m.nii"}}) {
+  for (const auto& paths : std::vector<std::vector<std::string>>{
+           {gltf}, {gltf, dicom}, {gltf, run.folder / "m.nii"}, {run.folder / "m.nii"}}) {
     std::vector<std::string> arguments{"segment",        run.phantom.path, "--seed",
                                        run.phantom.seed, "--space",        "RAS"};
     for (const std::string& path : paths) arguments.insert(arguments.end(), {"-o", path});
@@ -212,7 +212,7 @@ TEST_CASE("RAS is refused where no mesh that is written could be turned", "[cli]
   }
   run.requireSuccess({"-o", gltf, "-o", run.folder / "m.stl", "--space", "RAS"});
   run.requireSuccess({"-o", gltf, "--space", "LPS"});
-  run.requireSuccess({"-o", run.folder / "m.nii", "--space", "RAS"});
+  run.requireSuccess({"-o", run.folder / "m.nii", "--session", run.folder / "s.json", "--space", "RAS"});
 }
 
 TEST_CASE("RAS turns x and y, says so, and comes back the same", "[cli][segment]") {

@@ -133,7 +133,9 @@ bool isResultPath(const std::string& path) {
 }
 
 bool areSpacesFixed(const std::vector<std::string>& paths) {
-  const auto isFixed = [](const std::string& path) { return isGltfPath(path) || isDicomStlPath(path); };
+  const auto isFixed = [](const std::string& path) {
+    return isGltfPath(path) || isDicomResult(path) || isLabelMapPath(path) || isLabelDescriptionPath(path);
+  };
   const auto isFree = [](const std::string& path) {
     return isMeshPath(path) || isThreeMfPath(path) || isTetrahedraPath(path);
   };

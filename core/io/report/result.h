@@ -40,8 +40,8 @@ bool isResultPath(const std::string& path);
 //! The endings that writeResults knows, as the end of a sentence.
 const char* resultEndings();
 
-//! Meshes are among these, and all of them have coordinates of their format's own, whatever
-//! ExportContext::space: glTF (metres, y up) and DICOM (LPS).
+//! All of these have coordinates of their format's own, whatever ExportContext::space, or none: glTF (metres,
+//! y up), DICOM (LPS), label maps and their descriptions. False of none.
 bool areSpacesFixed(const std::vector<std::string>& paths);
 
 //! Throws UsageError that begins with the path if a file of that ending cannot be made in this context; to be
