@@ -24,6 +24,7 @@ enum class FindingKind {
   hardlyGrown,
   heldByCurvature,     //!< radius_mm
   closeChoice,         //!< objects, dice, next_ml, this_ml
+  fewerCandidates,     //!< asked, taken
   leaked,              //!< iteration, disc; cause: passage
   leakWalled,          //!< the same
   leakStopped,         //!< the same; mesh_iteration
@@ -511,7 +512,13 @@ enum class FindingKind {
 
   // What is wrong with an option, a session or a label map …
   startAndGiven,
-  noSurface,  //!< file; cause: as of notAStart
+  noEffectOnGiven,
+  noEffectOnMesh,  //!< file
+  noEffectWithRange,
+  wallOverGiven,    //!< place
+  givenComponents,  //!< file, count, most
+  givenTunnels,     //!< the same
+  noSurface,        //!< file; cause: as of notAStart
 
   // … and with a part or a place of a file: damagedBecause has one of the next.
   damagedBecause,     //!< format; cause

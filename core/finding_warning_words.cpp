@@ -219,6 +219,25 @@ constexpr FindingWords kWords[] = {
     {K::oneFrameOfSeveral, "one-frame-of-several",
      "the session carries the surface through other frames, too, and these figures are of frame {frame:0f} "
      "alone; handlebody-cli replay writes those of all."},
+
+    // Of options that change nothing, or that what was given cannot keep.
+    {K::fewerCandidates, "fewer-candidates",
+     "the clicks may mean fewer objects than {asked:0f}, which is the one that {option:candidate} asks for: "
+     "number {taken:0f}, the last of them, was taken"},
+    {K::noEffectOnGiven, "no-effect-on-given",
+     "has no effect on an object that {option:given} says: its surface stays as it is, and nothing grows."},
+    {K::noEffectOnMesh, "no-effect-on-mesh",
+     "has no effect: it says how a label becomes a surface, and {file} is a mesh."},
+    {K::noEffectWithRange, "no-effect-with-range",
+     "has no effect with {option:range}, by which the intensities alone say what the object is: leave one of "
+     "them out."},
+    {K::wallOverGiven, "wall-over-given",
+     "The wall at {place} mm lies over the surface that {option:given} says, or within it, and that surface "
+     "stays as it is."},
+    {K::givenComponents, "given-components",
+     "{file} has {count:0f} components, and is to have no more than {most:0f}."},
+    {K::givenTunnels, "given-tunnels",
+     "{file} has {count:0f} handles or tunnels, and is to have no more than {most:0f}."},
 };
 
 }  // namespace

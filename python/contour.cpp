@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/errors.h"
+#include "core/io/report/option_effects.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/wall_map.h"
@@ -23,6 +24,7 @@ RunReport begun(const PythonVolume& volume, Session asked) {
   asked.volume.selection.decoder = std::move(decoder);
   loadWalls(asked, volume.loaded.volume.grid);
   loadStarts(asked);
+  requireGivenHolds(asked.constraints, volume.loaded.volume.grid);
   report.session = std::move(asked);
   report.volume = volume.loaded.info;
   return report;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/io/report/growth_options.h"
+#include "core/io/report/option_effects.h"
 #include "python/bind.h"
 
 namespace handlebody::python {
@@ -78,6 +79,7 @@ void readOption(const std::string& key, py::handle value, Asked& asked) {
     throw py::type_error("there is no option '" + key +
                          "'; those of `handlebody-cli segment` are meant, "
                          "with underscores, as edge_length.");
+  asked.given.push_back(name);
   if (option->type.ends_with("LABELMAP"))
     return option->set(asked.parameters, asked.constraints,
                        pathOf(py::reinterpret_borrow<py::object>(value)));
@@ -90,6 +92,9 @@ void readOption(const std::string& key, py::handle value, Asked& asked) {
 void readOptions(const py::kwargs& options, Asked& asked) {
   for (const auto& [key, value] : options)
     if (!value.is_none()) readOption(key.cast<std::string>(), value, asked);
+  std::vector<std::string> names = asked.given;
+  if (asked.parameters.range) names.emplace_back("--range");  // also one of before a change
+  requireEffect(names, asked.constraints);
 }
 
 std::vector<std::string> optionNames() {

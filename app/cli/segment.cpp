@@ -1,6 +1,7 @@
 #include "app/cli/segment.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -15,7 +16,10 @@
 #include "core/errors.h"
 #include "core/io/report/clicks.h"
 #include "core/io/report/growth_options.h"
+#include "core/io/report/option_effects.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/start_surface.h"
+#include "core/io/report/wall_map.h"
 #include "core/version.h"
 
 namespace handlebody::cli {
@@ -28,6 +32,7 @@ struct SegmentOptions {
   std::optional<CoordinateSpace> space;
   RunOutputs outputs;
   OverTimeOptions overTime;
+  std::vector<std::string> given{};  //!< the long options that stand on the command line: "--edge-length"
 };
 
 using Text = const std::string&;
@@ -83,8 +88,21 @@ void addGrowthOption(CLI::App& command, const GrowthOption& option, Session& ses
   throw UsageError("--on-held has no limit to hold: give --components or --genus.");
 }
 
+bool isGiven(const Session& session) {
+  return session.constraints.start && session.constraints.start->isDone;
+}
+
+//! Of the whole run, if nothing grows in it.
+void requireEffectOnGiven(const SegmentOptions& o) {
+  for (const char* name : {"--on-leak", "--on-held", "--list-candidates"})
+    if (std::find(o.given.begin(), o.given.end(), name) != o.given.end())
+      throw OptionError(name, FindingKind::noEffectOnGiven, " ");
+}
+
 int segment(SegmentOptions o) {
   const PhaseLine line(o.outputs.quiet);
+  requireEffect(o.given, o.session.constraints);
+  if (isGiven(o.session)) requireEffectOnGiven(o);
   Session& session = o.session;
   if (!letAsk(o.outputs.onHeld, session.constraints) && o.outputs.onHeld != OnHeld::hold) refuseToAsk();
   session.version = HANDLEBODY_VERSION;
@@ -113,6 +131,8 @@ int segment(SegmentOptions o) {
   LoadedSession loaded = load(std::move(session), o.outputs.content.anonymous);
   loaded.session.seeds = seedsInWorld(clicks, loaded.volume.grid);
   if (loaded.session.overTime) return runOverTime(std::move(loaded), o.outputs, o.overTime);
+  loadStarts(loaded.session);
+  requireGivenHolds(loaded.session.constraints, loaded.volume.grid);
   return run(std::move(loaded), o.outputs);
 }
 
@@ -147,6 +167,14 @@ void parse(CLI::App& command, const std::vector<std::string>& arguments) try {
   throw UsageError(error.what());
 }
 
+//! The long names of what has been parsed.
+std::vector<std::string> givenIn(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    if (option->count() > 0 && !option->get_lnames().empty()) names.push_back("--" + option->get_lnames()[0]);
+  return names;
+}
+
 OptionKind kindOf(const CLI::App& command, Text name) {
   const CLI::Option* option = command.get_option_no_throw(name);
   if (!option) return OptionKind::unknown;
@@ -164,6 +192,7 @@ SegmentOptions parseOwn(const std::vector<std::string>& arguments, const Segment
   CLI::App command;
   addOwnOptions(command, options);
   parse(command, arguments);
+  options.given = givenIn(command);
   prepend(options.clicks.background, common.clicks.background);
   prepend(options.clicks.voxelBackground, common.clicks.voxelBackground);
   return options;
@@ -195,7 +224,34 @@ struct SeveralObjects {
   SegmentOptions run;
   std::vector<Session> sessions;  //!< without seeds
   std::vector<Clicks> clicks;
+  std::vector<Constraints> own;  //!< those that are certainly meant for the object
 };
+
+//! Does the work for one object, whose name then stands before what is wrong.
+template <typename F>
+void naming(Text name, F&& work) try {
+  work();
+} catch (const UsageError& error) {
+  throw UsageError("object '" + name + "': " + error.what());
+}
+
+//! What stands before the first name may be meant for other objects, unless there are none but given ones.
+//! Throws UsageError for what can have no effect.
+Constraints ownOf(const SegmentOptions& object, const std::vector<std::string>& group,
+                  const SegmentOptions& common, bool areAllGiven) {
+  Constraints own = object.session.constraints;
+  std::vector<std::string> names = object.given;
+  if (areAllGiven) {
+    names.insert(names.end(), common.given.begin(), common.given.end());
+  } else {
+    own = parseOwn(group, {}).session.constraints;
+    own.start = object.session.constraints.start;
+    own.edits = object.session.constraints.edits;
+    if (!isGiven(object.session) && common.session.requested.range) names.emplace_back("--range");
+  }
+  requireEffect(names, own);
+  return own;
+}
 
 SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
   SeveralObjects all;
@@ -205,6 +261,7 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
   const ObjectGroups groups = groupArguments(arguments, [&](Text name) { return kindOf(known, name); });
   addRunOptions(command, all.run);
   parse(command, groups.run);
+  all.run.given = givenIn(command);
   if (requestOf(all.run.overTime))
     throw UsageError("--frames carries a single object; grow the others one by one.");
   const SegmentOptions common = parseOwn(groups.common, {});
@@ -215,6 +272,10 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
   std::vector<SegmentOptions> objects;
   for (const auto& group : groups.objects) objects.push_back(parseOwn(group, common));
   const std::vector<ObjectLabel> labels = labelsOf(objects);
+  requireEffect(common.given, {});
+  const bool areAllGiven =
+      std::all_of(objects.begin(), objects.end(), [](const auto& o) { return isGiven(o.session); });
+  if (areAllGiven) requireEffectOnGiven(all.run);
   bool isAsking = all.run.outputs.onHeld == OnHeld::hold;
   for (SegmentOptions& o : objects)
     if (letAsk(all.run.outputs.onHeld, o.session.constraints)) isAsking = true;
@@ -227,14 +288,29 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
     session.volume = all.run.session.volume;
     session.label = labels[i];
     all.sessions.push_back(std::move(session));
-    try {
+    naming(labels[i].name, [&] {
       all.clicks.push_back(clicksOf(objects[i]));
-    } catch (const UsageError& error) {
-      throw UsageError("object '" + labels[i].name + "': " + error.what());
-    }
+      all.own.push_back(ownOf(objects[i], groups.objects[i], common, areAllGiven));
+    });
   }
   assignResults(all.run.outputs, labels);
   return all;
+}
+
+//! Of given objects and what is certainly meant for them.
+void requireGivenHold(SeveralObjects& all, LoadedSession& first) {
+  std::vector<Session*> sessions{&first.session};
+  for (std::size_t i = 1; i < all.sessions.size(); ++i) sessions.push_back(&all.sessions[i]);
+  loadStarts(sessions);
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    if (!isGiven(*sessions[i])) continue;
+    Session own;
+    own.volume = first.session.volume;
+    own.constraints = all.own[i];
+    own.constraints.start = sessions[i]->constraints.start;
+    loadWalls(own, first.volume.grid);
+    naming(sessions[i]->label.name, [&] { requireGivenHolds(own.constraints, first.volume.grid); });
+  }
 }
 
 int segmentSeveral(SeveralObjects all) {
@@ -252,8 +328,9 @@ int segmentSeveral(SeveralObjects all) {
   for (std::size_t i = 1; i < all.sessions.size(); ++i) {
     all.sessions[i].volume = first.session.volume;
     all.sessions[i].seeds = seedsInWorld(all.clicks[i], first.volume.grid);
-    others.push_back(std::move(all.sessions[i]));
   }
+  requireGivenHold(all, first);
+  for (std::size_t i = 1; i < all.sessions.size(); ++i) others.push_back(std::move(all.sessions[i]));
   return runObjects(std::move(first), std::move(others), all.run.outputs);
 }
 
@@ -277,6 +354,7 @@ void checkSegmentArguments(const std::vector<std::string>& arguments) {
   addOptions(command, options);
   parse(command, arguments);
   clicksOf(options);
+  requireEffect(givenIn(command), options.session.constraints);
   checkEffect(options.outputs.content, options.outputs.mesherSeconds, options.outputs.results);
   const bool isOverTime = requestOf(options.overTime).has_value();
   for (const std::string& path : options.outputs.results)
@@ -294,7 +372,10 @@ void addSegment(CLI::App& app, Action& action) {
   CLI::App* command = addCommand(app, "segment", "Grow a surface from seeds in a volume");
   auto options = std::make_shared<SegmentOptions>();
   addOptions(*command, *options);
-  command->callback([&action, options] { action = [options] { return segment(*options); }; });
+  command->callback([&action, options, command] {
+    options->given = givenIn(*command);
+    action = [options] { return segment(*options); };
+  });
 }
 
 }  // namespace handlebody::cli

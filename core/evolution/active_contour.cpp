@@ -224,7 +224,7 @@ SurfaceSupport ActiveContour::support() const {
 std::vector<Finding> ActiveContour::warnings(const SurfaceSupport& support) const {
   std::vector<Finding> warnings;
   if (!state_->isDone()) warnings = imageWarnings(state_->mesh, *state_->object.image, support);
-  if (!state_->isDone() && stopReason() != StopReason::running)
+  if (stopReason() != StopReason::running)
     for (Finding& click : unheededClicks(state_->mesh, state_->volume.grid, state_->asked.seeds))
       warnings.push_back(std::move(click));
   if (state_->walls.isPushing()) warnings.push_back(FindingKind::liesInWall);

@@ -92,6 +92,22 @@ def test_a_given_mesh_stays_as_it_is_and_is_that_of_the_command_line(torus_file,
     assert any("as it was given" in warning for warning in contour.warnings())
 
 
+def test_what_can_have_no_effect_is_refused(torus_file, tmp_path):
+    path, seed = torus_file
+    volume = handlebody.read_volume(path)
+    first = handlebody.Contour(volume, seed=seed)
+    first.run()
+    given = tmp_path / "given.ply"
+    first.save(given)
+    for refused, option in [({"range": (0, 100), "candidate": 2, "seed": seed}, "candidate has no effect with range"),
+                            ({"given": given, "smoothing": 1}, "smoothing has no effect on an object that given"),
+                            ({"given": given, "start_genus": 0}, "start_genus has no effect.* is a mesh"),
+                            ({"given": given, "wall": (*first.mesh().vertices[0], 3)}, "lies over the surface"),
+                            ({"given": given, "genus": 0}, "genus: .* 1 handles or tunnels")]:
+        with pytest.raises(handlebody.UsageError, match=option):
+            handlebody.Contour(volume, **refused)
+
+
 def test_an_array_makes_the_mesh_of_its_file(torus_file):
     path, seed = torus_file
     read = handlebody.read_volume(path)

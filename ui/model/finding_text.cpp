@@ -59,6 +59,10 @@ constexpr Words kWords[] = {
                        "the choice among {objects} objects is close (expected overlap with the one that is "
                        "meant: Dice {dice:2g}): the next candidate holds {next_ml:3m} ml where this one "
                        "holds {this_ml:3m} ml; another one can be chosen in step 2, Seed")},
+    {K::fewerCandidates,
+     QT_TRANSLATE_NOOP("Findings",
+                       "the clicks may mean fewer objects than {asked:0f}, which is the one that was asked "
+                       "for: number {taken:0f}, the last of them, was taken")},
     {K::leaked, QT_TRANSLATE_NOOP("Findings", "the surface leaked at iteration {iteration}: {cause}")},
     {K::leakWalled,
      QT_TRANSLATE_NOOP("Findings",
