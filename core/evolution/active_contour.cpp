@@ -102,6 +102,7 @@ StepReport ActiveContour::State::stepOrNothing() {
 
 StepReport ActiveContour::State::step() {
   if (const MeshEdit* edit = edits.dueAt(iteration + 1)) return editStep(MeshEdit(*edit));
+  if (isDone()) return waitingStep();
   StepReport report;
   report.iteration = ++iteration;
   keepOrder();
@@ -113,6 +114,16 @@ StepReport ActiveContour::State::step() {
   report.volume = transaction.volume();
   report.questions = locked.held.questions(iteration);
   watch(made.last, report);
+  finish(report);
+  return report;
+}
+
+//! Nothing grows on the way to an edit of an object that was given.
+StepReport ActiveContour::State::waitingStep() {
+  StepReport report;
+  report.iteration = ++iteration;
+  report.unmovedVertices = mesh.vertexCount();
+  report.volume = signedVolume(mesh);
   finish(report);
   return report;
 }

@@ -86,6 +86,7 @@ struct ActiveContour::State {
   StepReport stepOrNothing();
   StepReport step();
   StepReport editStep(const MeshEdit& edit);
+  StepReport waitingStep();
   void keepOrder();
   void accept(const Attempt& a, StepReport& report);
   void watch(const Attempt& kept, StepReport& report);

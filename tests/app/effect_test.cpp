@@ -134,6 +134,13 @@ TEST_CASE("a click on the wrong side of a given object is told, and its session 
   CHECK(old.exitCode == 0);
 }
 
+TEST_CASE("a given object does not grow on the way to an edit", "[cli][effect]") {
+  const Given scene;
+  scene.run({"--given", scene.ball, "--edit", "6:smooth:26,20,20,3", "-o", scene.folder / "late.ply"});
+  scene.run({"--given", scene.ball, "--edit", "1:smooth:26,20,20,3", "-o", scene.folder / "at_once.ply"});
+  CHECK(readBytes(scene.folder / "late.ply") == readBytes(scene.folder / "at_once.ply"));
+}
+
 TEST_CASE("options without effect are refused by name", "[cli][effect]") {
   const Given scene;
   const std::string map = scene.folder / "map.nii.gz", out = scene.folder / "m.stl";
