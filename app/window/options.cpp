@@ -2,7 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "core/errors.h"
+#include "core/io/formats/volume_files.h"
+#include "core/io/lowered.h"
+#include "core/io/report/session.h"
 #include "core/version.h"
 
 namespace handlebody::app {
@@ -17,6 +24,34 @@ std::string faultOfSize(const std::string& text) {
   const bool good = parts.size() == 2 && parts[0].toInt() >= 640 && parts[1].toInt() >= 480 &&
                     parts[0].toInt() <= 8192 && parts[1].toInt() <= 8192;
   return good ? std::string() : "'" + text + "' is not a size from 640x480 to 8192x8192";
+}
+
+std::string faultOfPicture(const std::string& path) {
+  if (path.starts_with("--")) return "'" + path + "' is no path but an option";
+  return lowered(path).ends_with(".png") ? std::string() : "'" + path + "' does not end in .png";
+}
+
+//! What is read where that file is opened. One that cannot be read is told of when it is.
+std::vector<std::string> inputsIn(const std::string& file) {
+  std::vector<std::string> inputs{file};
+  if (!lowered(file).ends_with(".json")) return inputs;
+  try {
+    InputPaths asItSays;
+    asItSays.mayBeUnnamed = true;
+    for (const Session& session : readSessions(file, asItSays))
+      for (std::string& path : inputsOf(session)) inputs.push_back(std::move(path));
+  } catch (const InputError&) {
+  }
+  return inputs;
+}
+
+//! Why the picture may not be written there; empty: it may.
+std::string faultOfOutput(const std::string& picture, const std::string& file) {
+  if (picture.empty() || file.empty()) return {};
+  for (const std::string& input : inputsIn(file))
+    if (!input.empty() && belongsToVolume(picture, input))
+      return "--screenshot " + picture + " cannot be written: it is the input, or a part of it";
+  return {};
 }
 
 QSize sizeFrom(const std::string& text) {
@@ -34,8 +69,9 @@ void addOptions(CLI::App& app, Texts& texts, Options& options) {
   app.add_option("--session", texts.session, "The same as FILE, for a session")
       ->type_name("FILE")
       ->excludes(file);
-  auto* screenshot =
-      app.add_option("--screenshot", texts.screenshot, "Write a picture and end")->type_name("OUT.png");
+  auto* screenshot = app.add_option("--screenshot", texts.screenshot, "Write a picture and end")
+                         ->type_name("OUT.png")
+                         ->check(faultOfPicture);
   app.add_option("--view", texts.view, "What the picture shows (default window)")
       ->check(CLI::IsMember({"window", "all", "axial", "coronal", "sagittal", "3d"}))
       ->needs(screenshot);
@@ -48,8 +84,10 @@ void addOptions(CLI::App& app, Texts& texts, Options& options) {
       ->needs("--iteration");
   app.add_option("--size", texts.size, "Of the window in logical pixels")
       ->type_name("WxH")
-      ->check(faultOfSize);
-  app.add_option("--step", texts.step, "The step to begin with, or a panel: measures, sensitivity, over time")
+      ->check(faultOfSize)
+      ->needs(screenshot);
+  app.add_option("--step", texts.step, "The step that the picture shows, or a panel")
+      ->needs(screenshot)
       ->check(CLI::IsMember(
           {"open", "seed", "tune", "grow", "correct", "export", "measure", "sensitivity", "time"}));
   app.add_option("--appearance", texts.appearance, "Colours of the window")
@@ -75,7 +113,12 @@ std::optional<int> readOptions(int argc, char** argv, Options& options) {
     std::cerr << "handlebody: " << error.what() << ".\n";
     return kUsage;
   }
-  options.file = QString::fromStdString(texts.file.empty() ? texts.session : texts.file);
+  const std::string& file = texts.file.empty() ? texts.session : texts.file;
+  if (const std::string fault = faultOfOutput(texts.screenshot, file); !fault.empty()) {
+    std::cerr << "handlebody: " << fault << ".\n";
+    return kUsage;
+  }
+  options.file = QString::fromStdString(file);
   options.screenshot = QString::fromStdString(texts.screenshot);
   options.view = QString::fromStdString(texts.view);
   options.stage = QString::fromStdString(texts.stage);

@@ -12,8 +12,8 @@ struct Options {
   QString file;        //!< volume, folder, session or report; empty: none
   QString screenshot;  //!< PNG to write, and then to end; empty: a window for a person
   QString view;        //!< window, all, axial, coronal, sagittal, 3d
-  QString step;        //!< open, seed, tune, grow, correct, export, measure; empty: as the window thinks best
-  QString stage;       //!< collide, refine, open, handle, close: of the event at that iteration; empty: none
+  QString step;   //!< open, seed, tune, grow, correct, export, measure, sensitivity, time; empty: as it is
+  QString stage;  //!< collide, refine, open, handle, close: of the event at that iteration; empty: none
   QString appearance;  //!< system, light, dark; empty: as set in the window
   QString language;    //!< system, en, de, fr, es, zh_CN; empty: HANDLEBODY_LANGUAGE, or as set in the window
   std::optional<int> iteration;  //!< the surface is grown to it

@@ -1,10 +1,14 @@
 #include "app/window/screenshot.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QTimer>
 #include <iostream>
 
+#include "core/errors.h"
+#include "core/io/atomic_file.h"
 #include "ui/model/time_series.h"
 #include "ui/view/surface_view.h"
 #include "ui/window/main_window.h"
@@ -87,7 +91,11 @@ void Screenshot::take() {
     window_.showStep(
         static_cast<ui::Command>(int(ui::Command::stepOpen) + int(steps.indexOf(options_.step))));
   }
-  if (options_.stage.isEmpty() || window_.inspector().event() < 0) return settleWhenPrepared();
+  if (options_.stage.isEmpty()) return settleWhenPrepared();
+  if (window_.inspector().event() < 0)
+    return end(
+        kOutput,
+        tr("There is no event at iteration %1, and so no stage of it.").arg(options_.iteration.value_or(0)));
   showStage();
 }
 
@@ -152,9 +160,20 @@ void Screenshot::settle() {
     const QString& view = options_.view;
     const QImage picture = view == QStringLiteral("window") ? window_.grab().toImage()
                                                             : window_.views().picture(ui::cellFromWord(view));
-    if (picture.save(options_.screenshot, "png")) return end(kDone);
-    end(kOutput, tr("%1 cannot be written.").arg(options_.screenshot));
+    write(picture);
   });
+}
+
+//! Whole or not at all: what there was before stays.
+void Screenshot::write(const QImage& picture) try {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  if (!picture.save(&buffer, "png"))
+    return end(kOutput, tr("%1 cannot be written.").arg(options_.screenshot));
+  writeTextAtomically(QFile::encodeName(options_.screenshot).toStdString(), bytes.toStdString());
+  end(kDone);
+} catch (const OutputError& error) {
+  end(kOutput, QString::fromStdString(error.what()));
 }
 
 void Screenshot::end(int code, const QString& sentence) {

@@ -1,6 +1,7 @@
 #pragma once
 // Takes a picture of the window without a person at it.
 
+#include <QImage>
 #include <QObject>
 #include <functional>
 
@@ -14,7 +15,8 @@ class MainWindow;
 namespace handlebody::app {
 
 //! Opens what the options name, grows to their iteration, writes the picture and ends the program: exit code
-//! 0; 3 if the file cannot be opened, 4 if the surface does not grow, 2 if the picture cannot be written.
+//! 0; 3 if the file cannot be opened, 4 if the surface does not grow, 2 if the picture cannot be written or
+//! there is no event whose stage was asked for.
 class Screenshot : public QObject {
   Q_OBJECT
 
@@ -33,6 +35,7 @@ class Screenshot : public QObject {
   void carry();
   void settleWhen(std::function<bool()> isDone);
   void showStage();
+  void write(const QImage& picture);
   void take();
   void end(int code, const QString& sentence = {});
 

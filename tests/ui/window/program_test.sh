@@ -18,6 +18,20 @@ fail() {
 "$program" --view nonsense 2> "$folder/error"
 test $? -eq 2 || fail "a wrong option ends with 2"
 
+"$program" --size 800x600 2> "$folder/error"
+test $? -eq 2 && grep -q -e '--screenshot' "$folder/error" || fail "--size without --screenshot ends with 2"
+
+cp "$samples/cyst.nii.gz" "$samples/cyst_session.json" "$folder"
+cp "$folder/cyst.nii.gz" "$folder/before.nii.gz"
+for picture in cyst_session.json cyst.nii.gz other.tiff --view; do
+  "$program" "$folder/cyst_session.json" --screenshot "$folder/$picture" 2> "$folder/error"
+  test $? -eq 2 && grep -q -e '--screenshot' "$folder/error" || fail "a picture is not written to $picture"
+done
+cp "$folder/cyst.nii.gz" "$folder/cyst.png"
+"$program" "$folder/cyst.png" --screenshot "$folder/cyst.png" 2> "$folder/error"
+test $? -eq 2 && grep -q 'it is the input' "$folder/error" || fail "a picture is not written over the input"
+cmp -s "$folder/cyst.nii.gz" "$folder/before.nii.gz" || fail "the volume is as it was"
+
 env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$program" 2> "$folder/error"
 test $? -eq 1 || fail "without a display it ends with 1"
 grep -q 'no display' "$folder/error" || fail "without a display it says so"
@@ -44,6 +58,10 @@ done
 # Without --screenshot it stays open with its volume until it is ended (124: by timeout).
 sh "$display" timeout 8 "$program" "$samples/cyst.nii.gz" 2> "$folder/error"
 test $? -eq 124 || fail "the window stays open with its volume"
+
+sh "$display" "$program" "$samples/cyst_session.json" --screenshot "$folder/none.png" --iteration 1 --stage open 2> "$folder/error"
+test $? -eq 2 && grep -q 'no event at iteration 1' "$folder/error" || fail "a stage without an event ends with 2"
+test ! -e "$folder/none.png" || fail "no picture of a stage without an event"
 
 echo "not a volume" > "$folder/bad.nii"
 sh "$display" "$program" "$folder/bad.nii" --screenshot "$folder/bad.png" 2> "$folder/error"
