@@ -184,7 +184,8 @@ void bindGrowth(ContourClass& contour) {
   contour.def_property_readonly("iteration", &Contour::iteration, "Of the last step; 0 before the first.");
   contour.def_property_readonly(
       "stop_reason", [](const Contour& c) { return stopReasonName(c.stopReason()); },
-      "'running' while step() would go on; else converged, max-iterations, empty, frozen or stuck.");
+      "'running' while step() would go on; else converged, max-iterations, empty, frozen, stuck, or given: "
+      "there is nothing to grow.");
   contour.def_property_readonly(
       "events", &eventsOf,
       "All events so far, as in a report: kind, iteration, location (mm LPS), before and "

@@ -83,6 +83,8 @@ constexpr Library kLibraries[] = {
     {"Qt 6", "LGPL-3.0", QT_TRANSLATE_NOOP("handlebody::ui", "window")},
     {"VTK", "BSD-3-Clause", QT_TRANSLATE_NOOP("handlebody::ui", "3D view, mesh files, pictures")},
     {"ITK, GDCM", "Apache-2.0, BSD", QT_TRANSLATE_NOOP("handlebody::ui", "reading and writing volumes")},
+    {"DCMTK (oflog)", "BSD-3-Clause (Apache-2.0)",
+     QT_TRANSLATE_NOOP("handlebody::ui", "writing DICOM files")},
     {"Eigen", "MPL-2.0", QT_TRANSLATE_NOOP("handlebody::ui", "linear algebra")},
     {"OpenSSL", "Apache-2.0", QT_TRANSLATE_NOOP("handlebody::ui", "SHA-256 of volumes")},
     {"zlib", "Zlib", QT_TRANSLATE_NOOP("handlebody::ui", "compressed files")},
