@@ -2187,6 +2187,18 @@
         <source>The sensitivity cannot be told of a surface that was given as it is: there is no growth to repeat.</source>
         <translation>Von einer Oberfläche, die so gegeben wurde, wie sie ist, lässt sich keine Empfindlichkeit angeben: es gibt kein Wachstum, das zu wiederholen wäre.</translation>
     </message>
+    <message>
+        <source>the clicks may mean fewer objects than {asked:0f}, which is the one that was asked for: number {taken:0f}, the last of them, was taken</source>
+        <translation>die Klicks können weniger Objekte meinen als {asked:0f}, nach dessen Nummer gefragt war: Nummer {taken:0f}, das letzte von ihnen, wurde genommen</translation>
+    </message>
+    <message>
+        <source>The mesh encloses {mesh_ml:4g} ml, the voxels that it was made of {voxels_ml:4g} ml ({percent:0f} %): they are too few, or too narrow, for their shape to be kept.</source>
+        <translation>Das Netz umschließt {mesh_ml:4g} ml, die Voxel, aus denen es entstand, {voxels_ml:4g} ml ({percent:0f} %): es sind zu wenige, oder sie liegen zu schmal, als dass ihre Form erhalten bliebe.</translation>
+    </message>
+    <message>
+        <source>The edges of the mesh are {median_mm:3g} mm long in the median, not {asked_mm:4g} mm as was asked for: with such edges it would leave the voxels or intersect itself.</source>
+        <translation>Die Kanten des Netzes sind im Median {median_mm:3g} mm lang, nicht wie verlangt {asked_mm:4g} mm: mit solchen Kanten würde es die Voxel verlassen oder sich selbst schneiden.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
@@ -2246,6 +2258,10 @@
     <message>
         <source>%1 cannot be written.</source>
         <translation>%1 kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>There is no event at iteration %1, and so no stage of it.</source>
+        <translation>Bei Iteration %1 gibt es kein Ereignis und damit keine Stufe davon.</translation>
     </message>
 </context>
 <context>
@@ -3823,6 +3839,10 @@ Mittel ± SA</translation>
     <message>
         <source>the cavities</source>
         <translation>den Hohlräumen</translation>
+    </message>
+    <message>
+        <source>writing DICOM files</source>
+        <translation>DICOM-Dateien schreiben</translation>
     </message>
 </context>
 <context>

@@ -2187,6 +2187,18 @@
         <source>The sensitivity cannot be told of a surface that was given as it is: there is no growth to repeat.</source>
         <translation>No se puede indicar la sensibilidad de una superficie dada tal cual: no hay ningún crecimiento que repetir.</translation>
     </message>
+    <message>
+        <source>the clicks may mean fewer objects than {asked:0f}, which is the one that was asked for: number {taken:0f}, the last of them, was taken</source>
+        <translation>los clics pueden designar menos objetos que {asked:0f}, el número pedido: se ha tomado el número {taken:0f}, el último de ellos</translation>
+    </message>
+    <message>
+        <source>The mesh encloses {mesh_ml:4g} ml, the voxels that it was made of {voxels_ml:4g} ml ({percent:0f} %): they are too few, or too narrow, for their shape to be kept.</source>
+        <translation>La malla encierra {mesh_ml:4g} ml, los vóxeles de los que se hizo {voxels_ml:4g} ml ({percent:0f} %): son demasiado pocos o estrechos para conservar su forma.</translation>
+    </message>
+    <message>
+        <source>The edges of the mesh are {median_mm:3g} mm long in the median, not {asked_mm:4g} mm as was asked for: with such edges it would leave the voxels or intersect itself.</source>
+        <translation>Las aristas de la malla miden {median_mm:3g} mm de mediana, no {asked_mm:4g} mm como se pidió: con tales aristas se apartaría de los vóxeles o se cortaría a sí misma.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
@@ -2246,6 +2258,10 @@
     <message>
         <source>%1 cannot be written.</source>
         <translation>No se puede escribir %1.</translation>
+    </message>
+    <message>
+        <source>There is no event at iteration %1, and so no stage of it.</source>
+        <translation>No hay ningún evento en la iteración %1 y, por tanto, ninguna etapa suya.</translation>
     </message>
 </context>
 <context>
@@ -3823,6 +3839,10 @@ cercano (mm)</translation>
     <message>
         <source>the cavities</source>
         <translation>las cavidades</translation>
+    </message>
+    <message>
+        <source>writing DICOM files</source>
+        <translation>escritura de archivos DICOM</translation>
     </message>
 </context>
 <context>

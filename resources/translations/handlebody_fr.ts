@@ -2187,6 +2187,18 @@
         <source>The sensitivity cannot be told of a surface that was given as it is: there is no growth to repeat.</source>
         <translation>La sensibilité d’une surface donnée telle quelle ne peut être indiquée : il n’y a pas de croissance à répéter.</translation>
     </message>
+    <message>
+        <source>the clicks may mean fewer objects than {asked:0f}, which is the one that was asked for: number {taken:0f}, the last of them, was taken</source>
+        <translation>les clics peuvent désigner moins d’objets que {asked:0f}, le numéro demandé : le numéro {taken:0f}, le dernier d’entre eux, a été pris</translation>
+    </message>
+    <message>
+        <source>The mesh encloses {mesh_ml:4g} ml, the voxels that it was made of {voxels_ml:4g} ml ({percent:0f} %): they are too few, or too narrow, for their shape to be kept.</source>
+        <translation>Le maillage renferme {mesh_ml:4g} ml, les voxels dont il est issu {voxels_ml:4g} ml ({percent:0f} %) : ils sont trop peu nombreux ou trop étroits pour que leur forme soit conservée.</translation>
+    </message>
+    <message>
+        <source>The edges of the mesh are {median_mm:3g} mm long in the median, not {asked_mm:4g} mm as was asked for: with such edges it would leave the voxels or intersect itself.</source>
+        <translation>Les arêtes du maillage mesurent {median_mm:3g} mm en médiane, et non {asked_mm:4g} mm comme demandé : avec de telles arêtes, il quitterait les voxels ou se couperait lui-même.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
@@ -2246,6 +2258,10 @@
     <message>
         <source>%1 cannot be written.</source>
         <translation>%1 ne peut pas être écrit.</translation>
+    </message>
+    <message>
+        <source>There is no event at iteration %1, and so no stage of it.</source>
+        <translation>Il n’y a pas d’événement à l’itération %1, et donc aucune de ses étapes.</translation>
     </message>
 </context>
 <context>
@@ -3823,6 +3839,10 @@ proche (mm)</translation>
     <message>
         <source>the cavities</source>
         <translation>les cavités</translation>
+    </message>
+    <message>
+        <source>writing DICOM files</source>
+        <translation>écriture de fichiers DICOM</translation>
     </message>
 </context>
 <context>

@@ -2187,6 +2187,18 @@
         <source>The sensitivity cannot be told of a surface that was given as it is: there is no growth to repeat.</source>
         <translation>按原样给出的表面无法给出敏感性：没有可以重复的生长。</translation>
     </message>
+    <message>
+        <source>the clicks may mean fewer objects than {asked:0f}, which is the one that was asked for: number {taken:0f}, the last of them, was taken</source>
+        <translation>点击可能表示的对象少于所要求的第 {asked:0f} 个：已采用其中最后一个，即第 {taken:0f} 个</translation>
+    </message>
+    <message>
+        <source>The mesh encloses {mesh_ml:4g} ml, the voxels that it was made of {voxels_ml:4g} ml ({percent:0f} %): they are too few, or too narrow, for their shape to be kept.</source>
+        <translation>网格包围 {mesh_ml:4g} ml，而生成它的体素为 {voxels_ml:4g} ml（{percent:0f} %）：体素太少或太窄，无法保持形状。</translation>
+    </message>
+    <message>
+        <source>The edges of the mesh are {median_mm:3g} mm long in the median, not {asked_mm:4g} mm as was asked for: with such edges it would leave the voxels or intersect itself.</source>
+        <translation>网格边长的中位数为 {median_mm:3g} mm，而不是所要求的 {asked_mm:4g} mm：用这样的边，网格会偏离体素或自相交。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
@@ -2246,6 +2258,10 @@
     <message>
         <source>%1 cannot be written.</source>
         <translation>无法写入 %1。</translation>
+    </message>
+    <message>
+        <source>There is no event at iteration %1, and so no stage of it.</source>
+        <translation>第 %1 次迭代没有事件，因此也没有其阶段。</translation>
     </message>
 </context>
 <context>
@@ -3823,6 +3839,10 @@ mean ± SD</source>
     <message>
         <source>the cavities</source>
         <translation>空腔</translation>
+    </message>
+    <message>
+        <source>writing DICOM files</source>
+        <translation>写入 DICOM 文件</translation>
     </message>
 </context>
 <context>
