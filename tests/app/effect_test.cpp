@@ -29,7 +29,7 @@ struct Given {
     });
     writeVolume(voxels, volume);
     writeMesh(icosphere(kAmid, 6, 1.5), ball);
-    TriangleSoup ring = testing::torus(40, 20, 9, 3);
+    TriangleSoup ring = zoo::torus(40, 20, 9, 3);
     for (Vec3& p : ring.points) p += kAmid;
     writeMesh(ring, torus);
   }
@@ -123,7 +123,8 @@ TEST_CASE("a click on the wrong side of a given object is told, and its session 
           "[cli][effect]") {
   const Given scene;
   const Outcome wrong = scene.run({"--given", scene.ball, "--background", "20,20,20", "--seed", "32,20,20"});
-  CHECK_THAT(wrong.err, Contains("20,20,20") && Contains("32,20,20"));
+  CHECK_THAT(wrong.err, Contains("the seed at 32.0,20.0,20.0") &&
+                            Contains("the click outside of the object at 20.0,20.0,20.0"));
   scene.run({"--given", scene.ball, "--session", scene.folder / "s.json"});
   auto json = nlohmann::json::parse(readBytes(scene.folder / "s.json"));
   json["requested"]["smoothing"] = 2;
