@@ -26,7 +26,7 @@ void with(const Contour& contour, F&& work) {
 ContourPointer contourFrom(const VolumePointer& volume, const py::kwargs& options) {
   Asked asked;
   readOptions(options, asked);
-  if (asked.clicks.hasNoSeed() && !asked.constraints.start)
+  if (hasNoSeed(asked.clicks) && !asked.constraints.start)
     throw UsageError("a contour needs a seed or seed_ijk.");
   Session session;
   session.seeds = seedsInWorld(parseClicks(asked.clicks), volume->loaded.volume.grid);
@@ -131,9 +131,8 @@ void changeContour(Contour& contour, const py::kwargs& options) {
   }
   readOptions(options, asked);
   ParameterChange change{0, asked.parameters, {}, std::move(asked.constraints)};
-  const Clicks further = parseClicks(asked.clicks);
-  if (!further.world.empty() || !further.voxels.empty())
-    change.seeds = seedsInWorld(further, contour.volume().loaded.volume.grid);
+  const std::vector<Click> further = parseClicks(asked.clicks);
+  if (!further.empty()) change.seeds = seedsInWorld(further, contour.volume().loaded.volume.grid);
   with(contour, [&] { contour.change(std::move(change)); });
 }
 

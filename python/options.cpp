@@ -58,22 +58,17 @@ std::vector<std::string> textsOf(const std::string& key, py::handle value, bool 
   return texts;
 }
 
-std::vector<std::string>* clicksOf(ClickTexts& clicks, const std::string& key) {
-  if (key == "seed") return &clicks.seeds;
-  if (key == "seed_ijk") return &clicks.voxelSeeds;
-  if (key == "background") return &clicks.background;
-  if (key == "background_ijk") return &clicks.voxelBackground;
-  return nullptr;
+bool isClick(const std::string& key) {
+  return key == "seed" || key == "seed_ijk" || key == "background" || key == "background_ijk";
 }
 
 void readOption(const std::string& key, py::handle value, Asked& asked) {
-  if (std::vector<std::string>* clicks = clicksOf(asked.clicks, key)) {
-    const std::vector<std::string> texts = textsOf(key, value, true);
-    clicks->insert(clicks->end(), texts.begin(), texts.end());
-    return;
-  }
   std::string name = "--" + key;
   std::replace(name.begin(), name.end(), '_', '-');
+  if (isClick(key)) {
+    for (std::string& text : textsOf(key, value, true)) asked.clicks.push_back({name, std::move(text)});
+    return;
+  }
   const GrowthOption* option = findGrowthOption(name);
   if (!option || key.find('-') != std::string::npos)
     throw py::type_error("there is no option '" + key +

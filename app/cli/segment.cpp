@@ -38,13 +38,13 @@ struct SegmentOptions {
 using Text = const std::string&;
 
 //! Throws UsageError; a surface to begin with is as good as a seed.
-Clicks clicksOf(const SegmentOptions& o) {
+std::vector<Click> clicksOf(const SegmentOptions& o) {
   const auto& start = o.session.constraints.start;
   if (start && start->path.empty())
     throw UsageError(
         "--start-label says which voxels of a label map are meant, --start-smooth, --start-keep-largest and "
         "--start-genus how they become a surface: give that map with --start or --given.");
-  if (o.clicks.hasNoSeed() && !start) throw UsageError("segment needs a --seed or --seed-ijk.");
+  if (hasNoSeed(o.clicks) && !start) throw UsageError("segment needs a --seed or --seed-ijk.");
   return parseClicks(o.clicks);
 }
 
@@ -54,17 +54,24 @@ void addInput(CLI::App& command, VolumeReference& volume) {
 }
 
 void addClicks(CLI::App& command, ClickTexts& clicks) {
-  const auto add = [&command](Text name, std::vector<std::string>& texts, Text type, Text help) {
-    command.add_option(name, texts, help)->type_name(type)->expected(1)->take_all()->allow_extra_args(false);
+  // Called for each as it stands on the command line: the options share one list, which keeps that order.
+  const auto add = [&](const std::string& name, Text type, Text help) {
+    const auto append = [&clicks, name](const std::vector<std::string>& texts) {
+      for (Text text : texts) clicks.push_back({name, text});
+    };
+    command.add_option_function<std::vector<std::string>>(name, append, help)
+        ->type_name(type)
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false)
+        ->trigger_on_parse();
   };
-  add("--seed", clicks.seeds, "X,Y,Z[,R]",
-      "A ball inside the object, LPS millimetres; may be given several times");
-  add("--seed-ijk", clicks.voxelSeeds, "I,J,K[,R]", "The same in voxels; the radius in voxels of mean size");
-  add("--background", clicks.background, "X,Y,Z[,R]",
+  add("--seed", "X,Y,Z[,R]", "A ball inside the object, LPS millimetres; may be given several times");
+  add("--seed-ijk", "I,J,K[,R]", "The same in voxels; the radius in voxels of mean size");
+  add("--background", "X,Y,Z[,R]",
       "A ball outside of the object, LPS millimetres: the surface may not go there; may be given several "
       "times");
-  add("--background-ijk", clicks.voxelBackground, "I,J,K[,R]",
-      "The same in voxels; the radius in voxels of mean size");
+  add("--background-ijk", "I,J,K[,R]", "The same in voxels; the radius in voxels of mean size");
 }
 
 //! One of those that Python has, too.
@@ -108,7 +115,7 @@ int segment(SegmentOptions o) {
   session.version = HANDLEBODY_VERSION;
   session.space = o.space.value_or(CoordinateSpace::lps);
   session.polish = o.outputs.polish.value_or(true);
-  const Clicks clicks = clicksOf(o);
+  const std::vector<Click> clicks = clicksOf(o);
   if (auto& start = session.constraints.start) {
     findByName(*start);
     session.label = asInItsFile(start->path, start->label, o.outputs.content.anonymous, session.label);
@@ -181,10 +188,6 @@ OptionKind kindOf(const CLI::App& command, Text name) {
   return option->get_items_expected_max() == 0 ? OptionKind::flag : OptionKind::value;
 }
 
-void prepend(std::vector<std::string>& texts, const std::vector<std::string>& before) {
-  texts.insert(texts.begin(), before.begin(), before.end());
-}
-
 //! The options of one object, whose own ones stand against the common ones or are added to them.
 SegmentOptions parseOwn(const std::vector<std::string>& arguments, const SegmentOptions& common) {
   SegmentOptions options = common;
@@ -193,8 +196,7 @@ SegmentOptions parseOwn(const std::vector<std::string>& arguments, const Segment
   addOwnOptions(command, options);
   parse(command, arguments);
   options.given = givenIn(command);
-  prepend(options.clicks.background, common.clicks.background);
-  prepend(options.clicks.voxelBackground, common.clicks.voxelBackground);
+  options.clicks.insert(options.clicks.begin(), common.clicks.begin(), common.clicks.end());
   return options;
 }
 
@@ -223,7 +225,7 @@ std::vector<ObjectLabel> labelsOf(std::vector<SegmentOptions>& objects) {
 struct SeveralObjects {
   SegmentOptions run;
   std::vector<Session> sessions;  //!< without seeds
-  std::vector<Clicks> clicks;
+  std::vector<std::vector<Click>> clicks;
   std::vector<Constraints> own;  //!< those that are certainly meant for the object
 };
 
@@ -265,7 +267,7 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
   if (requestOf(all.run.overTime))
     throw UsageError("--frames carries a single object; grow the others one by one.");
   const SegmentOptions common = parseOwn(groups.common, {});
-  if (!common.clicks.seeds.empty() || !common.clicks.voxelSeeds.empty())
+  if (!hasNoSeed(common.clicks))
     throw UsageError("A seed before the first --object-name belongs to no object.");
   if (common.session.constraints.start && !common.session.constraints.start->called.empty())
     throw UsageError("--start-label before the first --object-name belongs to no object.");

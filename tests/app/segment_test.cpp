@@ -243,6 +243,23 @@ TEST_CASE("a seed in voxels is the same seed in millimetres", "[cli][segment]") 
   CHECK(seed.at("radius").get<double>() == Approx(2 * 2.5));
 }
 
+TEST_CASE("seeds in voxels and in millimetres are taken in the order of the command line", "[cli][segment]") {
+  const SphereRun run;
+  const Vec3 centre = readVolume(run.phantom.path).grid.toWorld({15, 16, 17});
+  const std::string world =
+      std::to_string(centre[0]) + "," + std::to_string(centre[1]) + "," + std::to_string(centre[2]);
+  const Outcome outcome =
+      runCli({"segment", run.phantom.path, "--seed-ijk", "15,16,17,2", "--seed", world + ",3", "--seed-ijk",
+              "16,16,17,1", "-o", run.folder / "a.stl", "--report", run.folder / "r.json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+  const auto seeds = run.json("r.json").at("seeds");
+  REQUIRE(seeds.size() == 3);
+  CHECK(seeds[0].at("radius").get<double>() == Approx(2 * 2.5));
+  CHECK(seeds[1].at("radius").get<double>() == Approx(3));
+  CHECK(seeds[2].at("radius").get<double>() == Approx(2.5));
+}
+
 TEST_CASE("a click in the background is no place to start, and replay knows it again", "[cli][segment]") {
   const SphereRun run;
   run.requireSuccess({"--object", "dark", "--background-ijk", "2,2,2", "--background", "2,2,60,3", "-o",

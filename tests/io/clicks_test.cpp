@@ -19,40 +19,29 @@ Grid turnedGrid() {
 
 }  // namespace
 
-TEST_CASE("clicks come inside first, then in the background, in mm before in voxels", "[cli]") {
-  ClickTexts texts;
-  texts.voxelBackground = {"1,2,3,1.5", "4,5,6"};
-  texts.background = {"-1,-2,-3", "1,1,1,7"};
-  texts.voxelSeeds = {"0,1,0"};
-  texts.seeds = {"9,9,9,2"};
+TEST_CASE("clicks come inside first, each side in the order given, in mm or in voxels", "[cli]") {
+  const ClickTexts texts{{"--background-ijk", "1,2,3,1.5"}, {"--seed-ijk", "0,1,0"},
+                         {"--background", "-1,-2,-3"},      {"--seed", "9,9,9,2"},
+                         {"--background-ijk", "4,5,6"},     {"--background", "1,1,1,7"}};
   const std::vector<Seed> seeds = seedsInWorld(parseClicks(texts), turnedGrid());
-  const std::vector<Seed> expected{{{9, 9, 9}, 2.0},       {{98, 0, 0}, {}},        {{-1, -2, -3}, {}, true},
-                                   {{1, 1, 1}, 7.0, true}, {{96, 2, 6}, 3.0, true}, {{90, 8, 12}, {}, true}};
+  const std::vector<Seed> expected{{{98, 0, 0}, {}},         {{9, 9, 9}, 2.0},        {{96, 2, 6}, 3.0, true},
+                                   {{-1, -2, -3}, {}, true}, {{90, 8, 12}, {}, true}, {{1, 1, 1}, 7.0, true}};
   CHECK(seeds == expected);
 }
 
 TEST_CASE("a click that is no place is refused by the name of its option", "[cli]") {
-  using List = std::vector<std::string> ClickTexts::*;
-  const std::pair<List, std::string> lists[] = {{&ClickTexts::seeds, "--seed: "},
-                                                {&ClickTexts::voxelSeeds, "--seed-ijk: "},
-                                                {&ClickTexts::background, "--background: "},
-                                                {&ClickTexts::voxelBackground, "--background-ijk: "}};
-  for (const auto& [list, option] : lists)
+  for (const std::string option : {"--seed", "--seed-ijk", "--background", "--background-ijk"})
     for (const char* text : {"", "1,2", "1,2,3,4,5", "1,2,3,0", "1,2,3,-1", "1,nan,3", "1,2,inf", "a,b,c"}) {
       INFO(option << text);
-      ClickTexts texts;
-      texts.seeds = {"1,2,3"};
-      (texts.*list).push_back(text);
+      const ClickTexts texts{{"--seed", "1,2,3"}, {option, text}};
       CHECK_THROWS_AS(parseClicks(texts), UsageError);
-      CHECK_THROWS_WITH(parseClicks(texts), Contains(option));
+      CHECK_THROWS_WITH(parseClicks(texts), Contains(option + ": "));
     }
 }
 
 TEST_CASE("the background alone is nowhere to start", "[cli]") {
-  ClickTexts texts;
-  texts.background = {"1,2,3"};
-  texts.voxelBackground = {"1,2,3"};
-  CHECK(texts.hasNoSeed());
-  texts.voxelSeeds = {"1,2,3"};
-  CHECK_FALSE(texts.hasNoSeed());
+  ClickTexts texts{{"--background", "1,2,3"}, {"--background-ijk", "1,2,3"}};
+  CHECK(hasNoSeed(texts));
+  texts.push_back({"--seed-ijk", "1,2,3"});
+  CHECK_FALSE(hasNoSeed(texts));
 }

@@ -8,35 +8,32 @@ namespace handlebody {
 
 namespace {
 
-void append(std::vector<Seed>& seeds, const std::string& option, const std::vector<std::string>& texts,
-            bool background) {
-  for (const std::string& text : texts) {
-    seeds.push_back(parseSeed(option, text));
-    seeds.back().background = background;
-  }
-}
+bool isBackground(const ClickText& click) { return click.option.starts_with("--background"); }
 
-Seed inWorld(const Seed& voxels, const Grid& grid) {
-  Seed world = voxels;
-  world.centre = grid.toWorld(voxels.centre);
+Seed inWorld(const Click& click, const Grid& grid) {
+  Seed world = click.seed;
+  if (!click.isInVoxels) return world;
+  world.centre = grid.toWorld(world.centre);
   if (world.radius) *world.radius *= grid.meanSpacing();
   return world;
 }
 
 }  // namespace
 
-Clicks parseClicks(const ClickTexts& texts) {
-  Clicks clicks;
-  append(clicks.world, "--seed", texts.seeds, false);
-  append(clicks.voxels, "--seed-ijk", texts.voxelSeeds, false);
-  append(clicks.world, "--background", texts.background, true);
-  append(clicks.voxels, "--background-ijk", texts.voxelBackground, true);
+bool hasNoSeed(const ClickTexts& texts) { return std::all_of(texts.begin(), texts.end(), isBackground); }
+
+std::vector<Click> parseClicks(const ClickTexts& texts) {
+  std::vector<Click> clicks;
+  for (const ClickText& t : texts) {
+    clicks.push_back({parseSeed(t.option, t.text), t.option.ends_with("-ijk")});
+    clicks.back().seed.background = isBackground(t);
+  }
   return clicks;
 }
 
-std::vector<Seed> seedsInWorld(const Clicks& clicks, const Grid& grid) {
-  std::vector<Seed> seeds = clicks.world;
-  for (const Seed& seed : clicks.voxels) seeds.push_back(inWorld(seed, grid));
+std::vector<Seed> seedsInWorld(const std::vector<Click>& clicks, const Grid& grid) {
+  std::vector<Seed> seeds;
+  for (const Click& click : clicks) seeds.push_back(inWorld(click, grid));
   std::stable_partition(seeds.begin(), seeds.end(), [](const Seed& seed) { return !seed.background; });
   return seeds;
 }

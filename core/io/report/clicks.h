@@ -10,24 +10,27 @@
 
 namespace handlebody {
 
-//! The values of the options, one for each time that it was given.
-struct ClickTexts {
-  std::vector<std::string> seeds, voxelSeeds;            //!< --seed, --seed-ijk
-  std::vector<std::string> background, voxelBackground;  //!< --background, --background-ijk
-  //! True if no click is inside the object.
-  bool hasNoSeed() const { return seeds.empty() && voxelSeeds.empty(); }
+//! An option that gives a click, and its value.
+struct ClickText {
+  std::string option;  //!< --seed, --seed-ijk, --background, --background-ijk
+  std::string text;
+};
+//! In the order given: the first click inside the object decides what is meant.
+using ClickTexts = std::vector<ClickText>;
+
+//! True if no click is inside the object.
+bool hasNoSeed(const ClickTexts& texts);
+
+//! A click as an option gives it.
+struct Click {
+  Seed seed;                //!< mm LPS, or:
+  bool isInVoxels = false;  //!< continuous indices; the radius in voxels of mean size
 };
 
-//! The clicks of both sides, those inside the object first.
-struct Clicks {
-  std::vector<Seed> world;   //!< mm LPS
-  std::vector<Seed> voxels;  //!< continuous indices; the radius in voxels of mean size
-};
+//! In their order. Throws OptionError.
+std::vector<Click> parseClicks(const ClickTexts& texts);
 
-//! Throws OptionError.
-Clicks parseClicks(const ClickTexts& texts);
-
-//! All of them in mm LPS: those inside the object first, and on each side those given in mm first.
-std::vector<Seed> seedsInWorld(const Clicks& clicks, const Grid& grid);
+//! All of them in mm LPS: those inside the object first, each side in its order.
+std::vector<Seed> seedsInWorld(const std::vector<Click>& clicks, const Grid& grid);
 
 }  // namespace handlebody
