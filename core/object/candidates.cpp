@@ -403,14 +403,18 @@ std::vector<Vec3> cutSides(const RankedRegion& region) {
 bool RankedRegion::isTube() const { return search->isTube; }
 
 std::array<double, 2> RankedRegion::bounds() const {
+  const auto [low, high] = scaledBounds();
+  return {search->scale.from(low), search->scale.from(high)};
+}
+
+std::array<double, 2> RankedRegion::scaledBounds() const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (isStar()) return {-kInfinity, kInfinity};
   const auto& in = search->intensities;
   const auto distance = [&](int r) {
     return r < kRungs ? static_cast<double>(in.ladder[r]) : std::numeric_limits<double>::infinity();
   };
-  const double low = in.level - distance(rung), high = in.level + distance(map->band);
-  return {search->scale.from(low), search->scale.from(high)};
+  return {in.level - distance(rung), in.level + distance(map->band)};
 }
 
 std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSearch>>& searches,

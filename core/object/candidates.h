@@ -33,8 +33,10 @@ struct RankedRegion {
   bool isTube() const;
   //! False for points beyond the search.
   bool holds(const Vec3& world) const;
-  //! Lower and upper bound, intensities.
+  //! Lower and upper bound, intensities; infinite where it has none.
   std::array<double, 2> bounds() const;
+  //! The same on the search's scale.
+  std::array<double, 2> scaledBounds() const;
 };
 
 //! A search around one click in one grid of cells.

@@ -71,7 +71,7 @@ double IntensityScale::to(double intensity) const {
 }
 
 double IntensityScale::from(double scaled) const {
-  return isLogarithmic() ? std::exp(scaled) - offset_ + low_ : scaled;
+  return isLogarithmic() && std::isfinite(scaled) ? std::exp(scaled) - offset_ + low_ : scaled;
 }
 
 void IntensityScale::apply(std::vector<float>& intensities) const {

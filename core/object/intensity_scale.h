@@ -19,7 +19,7 @@ class IntensityScale {
 
   bool isLogarithmic() const { return offset_ > 0; }
   double to(double intensity) const;
-  double from(double scaled) const;
+  double from(double scaled) const;  //!< infinite where that is
   void apply(std::vector<float>& intensities) const;
 
  private:

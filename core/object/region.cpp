@@ -131,7 +131,7 @@ Region regionOn(const WorkImage& work, const RankedRegion& r) {
   const CellGrid& to = work.cells();
   const CellGrid& from = r.search->image.cells;
   Region out{std::vector<std::uint8_t>(to.count(), 0)};
-  const auto [low, high] = r.bounds();
+  const auto [low, high] = r.scaledBounds();  // as the values are
   const bool same = from.factor == to.factor;
   const std::vector<CellSide> sides = same || r.isStar() ? std::vector<CellSide>{} : sidesOf(r);
   std::array<std::vector<int>, 3> map;

@@ -1,8 +1,10 @@
 #include "core/object/intensity_scale.h"
 
+#include <limits>
 #include <random>
 
 #include "core/object/object_model.h"
+#include "core/object/work_cells.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 
@@ -68,4 +70,33 @@ TEST_CASE("a hot spot is taken as far as it stands out of what is around it, not
   CHECK(model->low > kBackground);
   CHECK(model->low < 0.5 * kPeak);
   CHECK(model->rise < 0);
+}
+
+TEST_CASE("an open bound stays open on either scale") {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const IntensityScale& scale : {scaleOf(noisy(spot, 0.05, 0)), IntensityScale()}) {
+    CHECK(scale.from(-kInfinity) == -kInfinity);
+    CHECK(scale.from(kInfinity) == kInfinity);
+  }
+}
+
+TEST_CASE("on the scale of logarithms, too, a region goes into finer cells with its surface") {
+  const Volume volume = noisy(spot, 0.05, 0);
+  const IntensityScale scale = scaleOf(volume);
+  REQUIRE(scale.isLogarithmic());
+  const ObjectPolicy policy;
+  WorkCells fine(volume, nullptr, policy);
+  fine.reach({kHot, policy.reach});
+  const WorkImage work = fine.image(scale);
+  const CellGrid coarse = cellsAround(volume.grid, kHot, policy.reach, 40'000);
+  REQUIRE(coarse.factor != work.cells().factor);
+  std::vector<std::unique_ptr<ClickSearch>> searches;
+  searches.push_back(
+      std::make_unique<ClickSearch>(searchAround(volume, coarse, kHot, nullptr, policy, 1, scale)));
+  std::vector<RankedRegion> ranked = rankRegions(searches, policy);
+  std::erase_if(ranked, [](const RankedRegion& r) { return r.isStar(); });
+  const std::vector<RankedRegion> best = distinctRegions(ranked, 1, policy);
+  REQUIRE(best.size() == 1);
+  const double volumeThere = static_cast<double>(regionOn(work, best[0]).count());  // voxels of 1 mm³
+  CHECK(volumeThere == Approx(best[0].volume).epsilon(0.1));
 }
