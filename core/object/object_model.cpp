@@ -171,9 +171,15 @@ class ObjectFinder::Search : private RegionSource {
     const CellGrid& cells = given_->cells;
     const auto& n = cells.grid.size;
     for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(n[0] - 1, n[1] - 1, n[2] - 1)})
-      cells_.reach({cells.grid.toWorld(corner), policy_.reach / 4});
+      cells_.reach({withinVolume(cells.grid.toWorld(corner)), policy_.reach / 4});
     cells_.reach({first_, policy_.reach / 4});
     work_ = std::make_shared<const WorkImage>(cells_.image(scale_));
+  }
+  //! The last of coarse cells may stand out of the volume, their middles, too.
+  Vec3 withinVolume(const Vec3& world) const {
+    const auto& n = volume_.grid.size;
+    const Vec3 last(n[0] - 1, n[1] - 1, n[2] - 1);
+    return volume_.grid.toWorld(volume_.grid.toIndex(world).cwiseMax(Vec3::Zero()).cwiseMin(last));
   }
   //! True if the search ends too early for the region, and has been done anew in a wider box.
   bool searchWider(const Vec3& click, const RankedRegion& region) {

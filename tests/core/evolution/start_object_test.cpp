@@ -142,3 +142,27 @@ TEST_CASE("clicks correct what a start means, and all its parts stay", "[evoluti
   CHECK(grown.image->inside(further.centre) > 0);
   CHECK(heldIn(*grown.image, kOther, 5).inside > 0.98);
 }
+
+TEST_CASE("all that is given is kept, also where its last coarse cells stand out of the volume",
+          "[evolution][start]") {
+  Grid grid;
+  grid.size = {31, 31, 181};
+  grid.spacing = Vec3(4, 4, 1.2);
+  const Vec3 middle(60, 60, 108), end(60, 60, 210);
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(100, 5);
+  const Volume volume = volumeByIndex(grid, [&](int, int, int) { return noise(random); });
+  ObjectPolicy policy;
+  policy.workCells = 60'000;
+  auto given = std::make_shared<RegionInCells>();
+  given->cells = cellsAround(grid, middle, 200, policy.workCells);
+  REQUIRE(given->cells.factor[2] == 3);  // 181 voxels: the middle of the last cell lies beyond the volume
+  given->region.inside.assign(given->cells.count(), 1);
+  ObjectQuery query{{{middle}}, {}};
+  query.given = given;
+  const auto model = findObject(volume, query, nullptr, policy);
+  REQUIRE(model);
+  const CellGrid& cells = model->work->cells();
+  REQUIRE(cells.contains(end));
+  CHECK(model->region.inside[cells.at(cells.nearest(end))] == 1);
+}
