@@ -26,8 +26,8 @@ struct RegionLimits {
   std::shared_ptr<const LevelField> side{};  //!< +1 where the edges rise, -1 where they fall, mixed between
   double slack = 0;                          //!< mm
   double cell = 1;                           //!< mm
-  bool mayHaveHoles = false;   //!< inwards the levels alone decide, also far from the region's surface
-  std::vector<Vec3> clicks{};  //!< world: next to them the surface is the region's own, on their right side
+  bool mayHaveHoles = false;  //!< inwards the levels alone decide, also far from the region's surface
+  std::vector<Vec3> clicks{};
 };
 
 //! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place
@@ -39,7 +39,10 @@ class ObjectImage {
   //! An object that is a region. `scale`: intensity units; `view` may be null.
   ObjectImage(std::shared_ptr<const SmoothedVolume> volume, RegionLimits region, double scale,
               std::shared_ptr<const FieldOfView> view)
-      : volume_(std::move(volume)), scale_(scale), view_(std::move(view)), region_(std::move(region)) {}
+      : volume_(std::move(volume)),
+        scale_(positive(scale)),
+        view_(std::move(view)),
+        region_(std::move(region)) {}
 
   //! The same image where `changes` have made another region of the object: near them as this has its
   //! limits, elsewhere as before.
@@ -57,7 +60,7 @@ class ObjectImage {
               std::shared_ptr<const FieldOfView> view = nullptr)
       : volume_(std::move(volume)),
         range_(range),
-        scale_(scale),
+        scale_(positive(scale)),
         levels_(std::move(levels)),
         neck_(std::move(neck)),
         view_(std::move(view)) {
@@ -125,6 +128,8 @@ class ObjectImage {
   const FieldOfView* view() const { return view_.get(); }
 
  private:
+  //! Where the image is constant no contrast gives a unit, and any serves.
+  static double positive(double scale) { return scale > 0 ? scale : 1; }
   void findBounds();
   bool holds(const std::array<int, 3>& voxel, double value) const;
   Limits limitsWithin(const Vec3& index, const Vec3& world, bool held) const;  // without the neck

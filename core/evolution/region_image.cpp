@@ -57,7 +57,8 @@ Edges edgesOf(const ObjectModel& model, const KnownLevel& known = {}) {
   const double cell = cells.grid.meanSpacing();
   // A star-shaped region was chosen because the image around it leads astray: its own surface counts.
   const double most = model.isStar ? 0 : model.isGiven ? kTrustedBesideGiven : 1;
-  const double trust = most * std::min(1.0, halfStep / (kTrusted * model.noise));
+  // Without a step nothing is an edge, and without noise any step is one.
+  const double trust = halfStep > 0 ? most * std::min(1.0, halfStep / (kTrusted * model.noise)) : 0;
   return {{std::make_shared<RegionField>(*model.work, model.region), cells.grid, levels.low, levels.high,
            levels.side, trust * cell, cell, false, model.clicks},
           halfStep};

@@ -143,6 +143,16 @@ TEST_CASE("clicks correct what a start means, and all its parts stay", "[evoluti
   CHECK(heldIn(*grown.image, kOther, 5).inside > 0.98);
 }
 
+TEST_CASE("where all is zero a start means what it encloses", "[evolution][start]") {
+  const Volume volume = volumeByIndex(cubicGrid(49), [](int, int, int) { return 0; });
+  const StartSurface start = ball(kMiddle, 9);
+  const ClickedObject found = findClickedObject(volume, {}, {}, nullptr, &start);
+  CHECK(std::isfinite(found.image->inside(kMiddle)));
+  const Held held = heldIn(*found.image, kMiddle, 9);
+  CHECK(held.inside > 0.98);
+  CHECK(held.around < 0.02);
+}
+
 TEST_CASE("all that is given is kept, also where its last coarse cells stand out of the volume",
           "[evolution][start]") {
   Grid grid;
