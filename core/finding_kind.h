@@ -49,6 +49,7 @@ enum class FindingKind {
   madeWithEarlier,     //!< object
   seedNotEnclosed,     //!< place, distance_mm
   clickEnclosed,       //!< the same
+  ballEntered,         //!< place, radius_mm, distance_mm
 
   // Why a place was rolled back, a change was held, or what did not fit before the one that was made.
   keptApart,
@@ -113,6 +114,7 @@ enum class FindingKind {
   seedOutside,       //!< place, voxel
   clickOutside,      //!< place
   clicksContradict,  //!< place, outside
+  ballOverSeed,      //!< place, outside, radius_mm
   seedNotInRange,    //!< place, intensity, low, high
   noDarkObject,
   noBrightObject,

@@ -164,6 +164,12 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "the surface encloses the click outside of the object at {place:1f} mm, which lies "
                        "{distance_mm:1f} mm within it: the image or other clicks speak against it")},
+    {K::ballEntered, "ball-entered",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "the surface reaches {distance_mm:1f} mm into the ball of {radius_mm:1f} mm around the "
+         "click outside of the object at {place:1f} mm: the image or other clicks speak "
+         "against it")},
 
     {K::keptApart, "kept-apart", QT_TRANSLATE_NOOP("Findings", "kept apart here, as asked")},
     {K::overLimit, "over-limit",
@@ -261,6 +267,10 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm "
                        "contradict each other: both lie in one voxel.")},
+    {K::ballOverSeed, "ball-over-seed",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The seed at {place:1f} mm lies in the ball of {radius_mm:1f} mm around the click "
+                       "outside of the object at {outside:1f} mm: they contradict each other.")},
     {K::seedNotInRange, "seed-not-in-range",
      "The seed at ({place: 6f}) mm is not in the object: the smoothed intensity there is "
      "{intensity:6f}, the object's range is {low:6f} to {high:6f}."},

@@ -13,7 +13,8 @@ constexpr double kNear = 1e-6;
 // Cells from what clicks have changed: up to the first nothing of what was before counts, from the second on
 // nothing else.
 constexpr double kChanged = 1, kUnchanged = 3;
-// Cells from a click: up to the first the surface is the region's own, from the second on the levels have it.
+// Cells from a click or its ball: up to the first the surface is the region's own, from the second on the
+// levels have it.
 constexpr double kHeld = 1, kFree = 3;
 
 //! A limit that only one of the two has is that of the nearer.
@@ -127,8 +128,10 @@ ObjectImage::Limits ObjectImage::limitsOfRegion(const Vec3& world, bool held, Li
 
 double ObjectImage::slackAt(const Vec3& world) const {
   double share = 1;
-  for (const Vec3& click : region_.clicks)
-    share = std::min(share, ((click - world).norm() / region_.cell - kHeld) / (kFree - kHeld));
+  for (const ObjectClick& click : region_.clicks) {
+    const double away = (click.place - world).norm() - click.radius.value_or(0);
+    share = std::min(share, (away / region_.cell - kHeld) / (kFree - kHeld));
+  }
   return std::max(share, 0.0) * region_.slack;
 }
 

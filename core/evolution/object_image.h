@@ -12,6 +12,7 @@
 #include "core/evolution/neck.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/walls.h"
+#include "core/object/object_model.h"
 #include "core/object/region_field.h"
 #include "core/volume/smoothed_volume.h"
 
@@ -27,7 +28,8 @@ struct RegionLimits {
   double slack = 0;                          //!< mm
   double cell = 1;                           //!< mm
   bool mayHaveHoles = false;  //!< inwards the levels alone decide, also far from the region's surface
-  std::vector<Vec3> clicks{};
+  //! World: next to them, and to the balls around them, the surface is the region's own, on their right side.
+  std::vector<ObjectClick> clicks{};
 };
 
 //! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place

@@ -97,14 +97,29 @@ class ObjectFinder::Search : private RegionSource {
       model.rise = r->rise;
     }
     model.isGiven = given_ != nullptr;
-    model.isCorrected = corrected.done.size() > 1;
-    for (auto c = clicks.begin() + 1; c != clicks.end(); ++c) model.clicks.push_back(c->click.place);
-    stamp(*last.work, corrected.region, clicksOf(clicks, true), clicksOf(clicks, false));
+    for (auto c = clicks.begin() + 1; c != clicks.end(); ++c)
+      model.clicks.push_back({c->click.place, c->asked});
+    const bool isTaken = stampAll(*last.work, corrected.region, clicks);
+    model.isCorrected = isTaken || corrected.done.size() > 1;
     model.region = std::move(corrected.region);
     model.isCutOff = isCutOff(last.work->cells(), model.region);
     if (model.isCorrected) model.start = regionIn(*last.work, *start_);
     model.work = last.work;
     return model;
+  }
+  //! True if a ball outside takes something of the region: its centre need not lie there.
+  static bool stampAll(const WorkImage& work, Region& region, const std::vector<GivenClick>& clicks) {
+    std::vector<GivenClick> points = clicks;
+    std::erase_if(points, [](const GivenClick& c) { return c.asked.has_value(); });
+    const auto stamped = [&](const std::vector<GivenClick>& balls) {
+      Region out = region;
+      stamp(work, out, clicksOf(balls, true), clicksOf(balls, false));
+      return out;
+    };
+    Region all = stamped(clicks);
+    const bool isTaken = points.size() < clicks.size() && all.inside != stamped(points).inside;
+    region = std::move(all);
+    return isTaken;
   }
   double noise() const { return searches_[0]->intensities.noise; }
 

@@ -45,9 +45,10 @@ class ObjectModel {
   std::shared_ptr<const WorkImage> work;
   Region region;             //!< what was chosen, corrected by the clicks
   bool isCutOff = false;     //!< it ends where the cells of `work` do, and the volume goes on there
-  bool isCorrected = false;  //!< further clicks have changed it
+  bool isCorrected = false;  //!< further clicks, or the balls around them, have changed it
   Region start;              //!< what it was before they did; empty if they did not
-  std::vector<Vec3> clicks;  //!< world: all but the first
+  //! All but the first, in the order given on each side; with the radii of balls outside.
+  std::vector<ObjectClick> clicks;
   double neckRadius = 0;     //!< mm: narrower passages are cut
   bool isGiven = false;      //!< as the query said, not as the image says
   bool isStar = false;       //!< chosen by its shape, where the image alone did not say where to end

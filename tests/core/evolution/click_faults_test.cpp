@@ -59,6 +59,22 @@ TEST_CASE("a seed and a click outside in one voxel contradict each other, and bo
   CHECK_FALSE(contradictionOf(grid, {inside(kCentre), inside(near), outside(far), outside(far)}));
 }
 
+TEST_CASE("a ball outside contradicts the seeds in it") {
+  const Grid grid = cubicGrid(41);
+  Seed ball = outside(kCentre + Vec3(6, 0, 0));
+  ball.radius = 6.5;
+  const auto found = contradictionOf(grid, {inside(kCentre - Vec3(3, 0, 0)), inside(kCentre), ball});
+  REQUIRE(found);
+  CHECK(sentence(*found) ==
+        "The seed at 20.0,20.0,20.0 mm lies in the ball of 6.5 mm around the click outside of the object at "
+        "26.0,20.0,20.0 mm: they contradict each other.");
+  ball.radius = 5.5;
+  CHECK_FALSE(contradictionOf(grid, {inside(kCentre), ball}));
+  Seed wide = inside(kCentre);  // the start of a surface may lie around the object
+  wide.radius = 10;
+  CHECK_FALSE(contradictionOf(grid, {wide, ball}));
+}
+
 TEST_CASE("clicks that contradict each other are refused before anything grows, and on the way") {
   const Volume ball = testing::volumeByDistance(cubicGrid(41), 0, 100,
                                                 [](const Vec3& p) { return (p - kCentre).norm() - kRadius; });
@@ -81,6 +97,17 @@ TEST_CASE("clicks on the wrong side of a surface are told with how far they lie 
   REQUIRE(kindsOf(wrong) == std::vector{FindingKind::seedNotEnclosed, FindingKind::seedNotEnclosed,
                                         FindingKind::clickEnclosed});
   CHECK(distanceOf(wrong[0]) == Approx(3).epsilon(1e-9));
+}
+
+TEST_CASE("a ball outside is told where the surface reaches into it by more than what voxels tell") {
+  const Grid grid = cubicGrid(41);
+  Seed ball = outside(placeBeyond(6));
+  ball.radius = 7;
+  CHECK(unheededClicks(shell(), grid, {ball}).empty());
+  ball.radius = 8;
+  const std::vector<Finding> found = unheededClicks(shell(), grid, {ball, ball});
+  REQUIRE(kindsOf(found) == std::vector{FindingKind::ballEntered});
+  CHECK(distanceOf(found[0]) == Approx(2).epsilon(1e-9));
 }
 
 TEST_CASE("a click is not told within half a voxel of a surface, nor where there is none") {

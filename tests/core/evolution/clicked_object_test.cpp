@@ -81,6 +81,19 @@ TEST_CASE("far from what a further click changes the object is to the bit what i
   CHECK(looked > 500);
 }
 
+TEST_CASE("a ball outside bounds the object also where its centre lies outside already, boundary and all") {
+  const Volume volume = knob();
+  Seed ball{kLarge + Vec3(0, 0, 16), 7.0};
+  ball.background = true;
+  const ClickedObject before = findClickedObject(volume, {click(kLarge)}, {});
+  const ClickedObject after = findClickedObject(volume, {click(kLarge), ball}, {});
+  REQUIRE(before.image->inside(kLarge + Vec3(0, 0, 10.5)) > 0);
+  CHECK(after.image->inside(kLarge + Vec3(0, 0, 10.5)) < 0);
+  CHECK(after.image->inside(kLarge + Vec3(0, 0, 8)) > 0);
+  for (const double z : {-13.0, -12.0, -11.0})
+    CHECK(after.image->inside(kLarge + Vec3(0, 0, z)) == before.image->inside(kLarge + Vec3(0, 0, z)));
+}
+
 TEST_CASE("an object that further clicks have left as it was keeps its image") {
   const Volume volume = knob();
   ObjectQuery query;
@@ -187,15 +200,18 @@ TEST_CASE("next to a click the surface is the region's own, elsewhere the levels
   const auto dark =
       std::make_shared<SmoothedVolume>(volumeByIndex(grid, [](int, int, int) { return 40; }), 0);
   const Vec3 beside(12, 24, 32.2), far(36, 24, 32.2);  // of a ball of radius 8 each
-  const auto imageWith = [&](std::vector<Vec3> clicks) {
+  const auto imageWith = [&](std::vector<ObjectClick> clicks) {
     RegionLimits limits{
         std::make_shared<RegionField>(dumbbell()), grid, level, level, side, 1, 1, false, clicks};
     return ObjectImage(dark, std::move(limits), 40, nullptr);
   };
   CHECK(imageWith({}).inside(beside) > 0);
   CHECK(imageWith({}).inside(far) > 0);
-  CHECK(imageWith({beside}).inside(beside) < 0);
-  CHECK(imageWith({beside}).inside(far) == imageWith({}).inside(far));
+  CHECK(imageWith({{beside}}).inside(beside) < 0);
+  CHECK(imageWith({{beside}}).inside(far) == imageWith({}).inside(far));
+  const ObjectClick ball{beside + Vec3(0, 0, 6), 6.0};  // it ends there
+  CHECK(imageWith({ball}).inside(beside) < 0);
+  CHECK(imageWith({{ball.place}}).inside(beside) == imageWith({}).inside(beside));
 }
 
 TEST_CASE("a place that was clicked lies on its side of the surface, anew and going on") {

@@ -1,5 +1,6 @@
 target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/object/candidates_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/object/click_balls_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/object/cells_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/object/centrality_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/object/click_correction_test.cpp
