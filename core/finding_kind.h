@@ -115,6 +115,7 @@ enum class FindingKind {
   clickOutside,      //!< place
   clicksContradict,  //!< place, outside
   ballOverSeed,      //!< place, outside, radius_mm
+  clickOverStart,    //!< outside
   seedNotInRange,    //!< place, intensity, low, high
   noDarkObject,
   noBrightObject,

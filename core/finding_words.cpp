@@ -271,6 +271,11 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "The seed at {place:1f} mm lies in the ball of {radius_mm:1f} mm around the click "
                        "outside of the object at {outside:1f} mm: they contradict each other.")},
+    {K::clickOverStart, "click-over-start",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "The click outside of the object at {outside:1f} mm holds the deepest place of the "
+         "surface to begin with, which stands for the object: give a seed, or another surface.")},
     {K::seedNotInRange, "seed-not-in-range",
      "The seed at ({place: 6f}) mm is not in the object: the smoothed intensity there is "
      "{intensity:6f}, the object's range is {low:6f} to {high:6f}."},

@@ -69,6 +69,13 @@ std::optional<Finding> contradictionOf(const Grid& grid, const std::vector<Seed>
   return std::nullopt;
 }
 
+std::optional<Finding> contradictionOf(const Grid& grid, const Vec3& start, const std::vector<Seed>& clicks) {
+  for (const Seed& outside : clicks)
+    if (outside.background && (areInOneVoxel(grid, start, outside.centre) || isInBall(start, outside)))
+      return Finding(FindingKind::clickOverStart, {{"outside", placeValue(outside.centre)}});
+  return std::nullopt;
+}
+
 std::vector<Finding> unheededClicks(const Mesh& mesh, const Grid& grid, const std::vector<Seed>& clicks) {
   std::vector<Finding> out;
   if (mesh.faceCount() == 0) return out;

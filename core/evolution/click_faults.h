@@ -15,6 +15,9 @@ namespace handlebody {
 //! can all hold.
 std::optional<Finding> contradictionOf(const Grid& grid, const std::vector<Seed>& clicks);
 
+//! The same of the deepest place (mm) of a surface to begin with, which is a seed where none is given.
+std::optional<Finding> contradictionOf(const Grid& grid, const Vec3& start, const std::vector<Seed>& clicks);
+
 //! Seeds that the surface leaves outside, and clicks outside of the object that it encloses or whose balls it
 //! reaches into, in their order, each once; not those within half a voxel of it, which is how far a place is
 //! known at all, and balls as far as they are drawn.

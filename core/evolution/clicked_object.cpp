@@ -66,6 +66,12 @@ void requireClicksInside(const Grid& grid, const std::vector<Seed>& clicks) {
       throw Told<SeedError>(Finding(FindingKind::clickOutside, {{"place", placeValue(s.centre)}}));
 }
 
+//! `start`: what is meant where no seed says it; else null.
+void requireNoContradiction(const Grid& grid, const std::vector<Seed>& clicks, const StartSurface* start) {
+  const auto fault = start ? contradictionOf(grid, start->inside, clicks) : contradictionOf(grid, clicks);
+  if (fault) throw Told<SeedError>(*fault);
+}
+
 //! What else clicks may mean that mean a boundary. The choice among the candidates is close only if the
 //! boundary is that of the first: else it was not the candidates that were chosen from.
 ObjectChoices choicesBeside(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
@@ -220,7 +226,7 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& a
   if (isStartAlone) clicks.push_back(seedWithin(*start));
   const std::vector<Seed> seeds = seedsOfSide(clicks, false);
   requireClicksInside(volume.grid, clicks);
-  if (std::optional<Finding> fault = contradictionOf(volume.grid, clicks)) throw Told<SeedError>(*fault);
+  requireNoContradiction(volume.grid, asked, isStartAlone ? start : nullptr);
   if (p.range) {
     if (seeds.size() != clicks.size()) throw Told<UsageError>(Finding(FindingKind::rangeAndBackground));
     return objectInRange(volume, seeds, p);

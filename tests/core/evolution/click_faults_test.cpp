@@ -2,6 +2,7 @@
 
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
+#include "core/evolution/clicked_object.h"
 #include "core/mesh/shapes.h"
 #include "core/mesh/topology.h"
 #include "tests/support/catch.h"
@@ -73,6 +74,18 @@ TEST_CASE("a ball outside contradicts the seeds in it") {
   Seed wide = inside(kCentre);  // the start of a surface may lie around the object
   wide.radius = 10;
   CHECK_FALSE(contradictionOf(grid, {wide, ball}));
+}
+
+TEST_CASE("a click outside at the deepest place of a start is told of the start, not of a seed") {
+  const Volume empty = testing::volumeByIndex(cubicGrid(41), [](int, int, int) { return 0; });
+  StartSurface start;
+  start.mesh = std::make_shared<const TriangleSoup>(icosphere(kCentre, kRadius, 3));
+  start.inside = kCentre;
+  Seed ball = outside(kCentre + Vec3(5, 0, 0));
+  ball.radius = 6;
+  for (const Seed& click : {outside(kCentre), ball})
+    CHECK_THROWS_WITH(findClickedObject(empty, {click}, {}, nullptr, &start),
+                      Contains("holds the deepest place of the surface to begin with"));
 }
 
 TEST_CASE("clicks that contradict each other are refused before anything grows, and on the way") {
