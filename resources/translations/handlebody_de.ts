@@ -2201,15 +2201,15 @@
     </message>
     <message>
         <source>the surface reaches {distance_mm:1f} mm into the ball of {radius_mm:1f} mm around the click outside of the object at {place:1f} mm: the image or other clicks speak against it</source>
-        <translation>die Oberfläche reicht {distance_mm:1f} mm in die Kugel von {radius_mm:1f} mm um den Klick außerhalb des Objekts bei {place:1f} mm hinein: das Bild oder andere Klicks sprechen dagegen</translation>
+        <translation>die Oberfläche reicht {distance_mm:1f} mm in die Kugel von {radius_mm:1f} mm um den Außenpunkt bei {place:1f} mm hinein: das Bild oder andere Klicks sprechen dagegen</translation>
     </message>
     <message>
         <source>The seed at {place:1f} mm lies in the ball of {radius_mm:1f} mm around the click outside of the object at {outside:1f} mm: they contradict each other.</source>
-        <translation>Der Startpunkt bei {place:1f} mm liegt in der Kugel von {radius_mm:1f} mm um den Klick außerhalb des Objekts bei {outside:1f} mm: sie widersprechen einander.</translation>
+        <translation>Der Startpunkt bei {place:1f} mm liegt in der Kugel von {radius_mm:1f} mm um den Außenpunkt bei {outside:1f} mm: sie widersprechen einander.</translation>
     </message>
     <message>
         <source>The click outside of the object at {outside:1f} mm holds the deepest place of the surface to begin with, which stands for the object: give a seed, or another surface.</source>
-        <translation>Der Klick außerhalb des Objekts bei {outside:1f} mm enthält die tiefste Stelle der Anfangsoberfläche, die für das Objekt steht: geben Sie einen Startpunkt oder eine andere Oberfläche an.</translation>
+        <translation>Der Außenpunkt bei {outside:1f} mm enthält die tiefste Stelle der Anfangsoberfläche, die für das Objekt steht: geben Sie einen Startpunkt oder eine andere Oberfläche an.</translation>
     </message>
 </context>
 <context>

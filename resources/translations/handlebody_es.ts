@@ -2201,15 +2201,15 @@
     </message>
     <message>
         <source>the surface reaches {distance_mm:1f} mm into the ball of {radius_mm:1f} mm around the click outside of the object at {place:1f} mm: the image or other clicks speak against it</source>
-        <translation>la superficie penetra {distance_mm:1f} mm en la bola de {radius_mm:1f} mm alrededor del clic fuera del objeto en {place:1f} mm: la imagen u otros clics lo contradicen</translation>
+        <translation>la superficie penetra {distance_mm:1f} mm en la bola de {radius_mm:1f} mm alrededor del punto exterior en {place:1f} mm: la imagen u otros clics lo contradicen</translation>
     </message>
     <message>
         <source>The seed at {place:1f} mm lies in the ball of {radius_mm:1f} mm around the click outside of the object at {outside:1f} mm: they contradict each other.</source>
-        <translation>La semilla en {place:1f} mm está en la bola de {radius_mm:1f} mm alrededor del clic fuera del objeto en {outside:1f} mm: se contradicen.</translation>
+        <translation>La semilla en {place:1f} mm está en la bola de {radius_mm:1f} mm alrededor del punto exterior en {outside:1f} mm: se contradicen.</translation>
     </message>
     <message>
         <source>The click outside of the object at {outside:1f} mm holds the deepest place of the surface to begin with, which stands for the object: give a seed, or another surface.</source>
-        <translation>El clic fuera del objeto en {outside:1f} mm contiene el punto más profundo de la superficie inicial, que representa el objeto: dé una semilla u otra superficie.</translation>
+        <translation>El punto exterior en {outside:1f} mm contiene el punto más profundo de la superficie inicial, que representa el objeto: dé una semilla u otra superficie.</translation>
     </message>
 </context>
 <context>

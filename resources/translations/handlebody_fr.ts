@@ -2201,15 +2201,15 @@
     </message>
     <message>
         <source>the surface reaches {distance_mm:1f} mm into the ball of {radius_mm:1f} mm around the click outside of the object at {place:1f} mm: the image or other clicks speak against it</source>
-        <translation>la surface pénètre de {distance_mm:1f} mm dans la boule de {radius_mm:1f} mm autour du clic hors de l’objet à {place:1f} mm : l’image ou d’autres clics s’y opposent</translation>
+        <translation>la surface pénètre de {distance_mm:1f} mm dans la boule de {radius_mm:1f} mm autour du point extérieur à {place:1f} mm : l’image ou d’autres clics s’y opposent</translation>
     </message>
     <message>
         <source>The seed at {place:1f} mm lies in the ball of {radius_mm:1f} mm around the click outside of the object at {outside:1f} mm: they contradict each other.</source>
-        <translation>Le germe à {place:1f} mm se trouve dans la boule de {radius_mm:1f} mm autour du clic hors de l’objet à {outside:1f} mm : ils se contredisent.</translation>
+        <translation>Le germe à {place:1f} mm se trouve dans la boule de {radius_mm:1f} mm autour du point extérieur à {outside:1f} mm : ils se contredisent.</translation>
     </message>
     <message>
         <source>The click outside of the object at {outside:1f} mm holds the deepest place of the surface to begin with, which stands for the object: give a seed, or another surface.</source>
-        <translation>Le clic hors de l’objet à {outside:1f} mm contient le point le plus profond de la surface de départ, qui représente l’objet : donnez un germe ou une autre surface.</translation>
+        <translation>Le point extérieur à {outside:1f} mm contient le point le plus profond de la surface de départ, qui représente l’objet : donnez un germe ou une autre surface.</translation>
     </message>
 </context>
 <context>

@@ -2201,15 +2201,15 @@
     </message>
     <message>
         <source>the surface reaches {distance_mm:1f} mm into the ball of {radius_mm:1f} mm around the click outside of the object at {place:1f} mm: the image or other clicks speak against it</source>
-        <translation>表面伸入对象外点击（位于 {place:1f} mm）周围半径 {radius_mm:1f} mm 的球内 {distance_mm:1f} mm：图像或其他点击与之相悖</translation>
+        <translation>表面伸入位于 {place:1f} mm 的外部点周围半径 {radius_mm:1f} mm 的球内 {distance_mm:1f} mm：图像或其他点击与之相悖</translation>
     </message>
     <message>
         <source>The seed at {place:1f} mm lies in the ball of {radius_mm:1f} mm around the click outside of the object at {outside:1f} mm: they contradict each other.</source>
-        <translation>位于 {place:1f} mm 的种子点在位于 {outside:1f} mm 的对象外点击周围半径 {radius_mm:1f} mm 的球内：两者相互矛盾。</translation>
+        <translation>位于 {place:1f} mm 的种子点在位于 {outside:1f} mm 的外部点周围半径 {radius_mm:1f} mm 的球内：两者相互矛盾。</translation>
     </message>
     <message>
         <source>The click outside of the object at {outside:1f} mm holds the deepest place of the surface to begin with, which stands for the object: give a seed, or another surface.</source>
-        <translation>位于 {outside:1f} mm 的对象外点击包含起始表面的最深处，而该处代表对象：请给出种子点或另一个表面。</translation>
+        <translation>位于 {outside:1f} mm 的外部点包含起始表面的最深处，而该处代表对象：请给出种子点或另一个表面。</translation>
     </message>
 </context>
 <context>
