@@ -213,12 +213,16 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings", "“{object}” has no cavity, and so no wall around one.")},
 
     // Of a session that is grown again.
-    {K::leftOutUnseeded, "left-out-unseeded", "object '{object}' has no seed and is left out."},
+    {K::leftOutUnseeded, "left-out-unseeded",
+     QT_TRANSLATE_NOOP("Findings", "object '{object}' has no seed and is left out.")},
     {K::otherVersion, "other-version",
-     "{session} was made by version {version}; this is {here}, and the mesh may differ."},
+     QT_TRANSLATE_NOOP("Findings",
+                       "{session} was made by version {version}; this is {here}, and the mesh may differ.")},
     {K::oneFrameOfSeveral, "one-frame-of-several",
-     "the session carries the surface through other frames, too, and these figures are of frame {frame:0f} "
-     "alone; handlebody-cli replay writes those of all."},
+     QT_TRANSLATE_NOOP("Findings",
+                       "the session carries the surface through other frames, too, and these figures are of "
+                       "frame {frame:0f} "
+                       "alone; handlebody-cli replay writes those of all.")},
 
     // Of options that change nothing, or that what was given cannot keep.
     {K::fewerCandidates, "fewer-candidates",
@@ -227,7 +231,8 @@ constexpr FindingWords kWords[] = {
     {K::noEffectOnGiven, "no-effect-on-given",
      "has no effect on an object that {option:given} says: its surface stays as it is, and nothing grows."},
     {K::noEffectOnMesh, "no-effect-on-mesh",
-     "has no effect: it says how a label becomes a surface, and {file} is a mesh."},
+     QT_TRANSLATE_NOOP("Findings",
+                       "has no effect: it says how a label becomes a surface, and {file} is a mesh.")},
     {K::noEffectWithRange, "no-effect-with-range",
      "has no effect with {option:range}, by which the intensities alone say what the object is: leave one of "
      "them out."},
@@ -235,9 +240,11 @@ constexpr FindingWords kWords[] = {
      "The wall at {place} mm lies over the surface that {option:given} says, or within it, and that surface "
      "stays as it is."},
     {K::givenComponents, "given-components",
-     "{file} has {count:0f} components, and is to have no more than {most:0f}."},
+     QT_TRANSLATE_NOOP("Findings",
+                       "{file} has {count:0f} components, and is to have no more than {most:0f}.")},
     {K::givenTunnels, "given-tunnels",
-     "{file} has {count:0f} handles or tunnels, and is to have no more than {most:0f}."},
+     QT_TRANSLATE_NOOP("Findings",
+                       "{file} has {count:0f} handles or tunnels, and is to have no more than {most:0f}.")},
 };
 
 }  // namespace

@@ -2211,6 +2211,42 @@
         <source>The click outside of the object at {outside:1f} mm holds the deepest place of the surface to begin with, which stands for the object: give a seed, or another surface.</source>
         <translation>Der Außenpunkt bei {outside:1f} mm enthält die tiefste Stelle der Anfangsoberfläche, die für das Objekt steht: geben Sie einen Startpunkt oder eine andere Oberfläche an.</translation>
     </message>
+    <message>
+        <source>has no effect on an object that was given: its surface stays as it is, and nothing grows.</source>
+        <translation>hat keine Wirkung auf ein Objekt, das gegeben wurde: seine Oberfläche bleibt, wie sie ist, und nichts wächst.</translation>
+    </message>
+    <message>
+        <source>has no effect with a range, by which the intensities alone say what the object is: leave one of them out.</source>
+        <translation>hat keine Wirkung mit einem Bereich, bei dem allein die Intensitäten sagen, was das Objekt ist: lassen Sie eines von beiden weg.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies over the surface that was given, or within it, and that surface stays as it is.</source>
+        <translation>Die Wand bei {place} mm liegt über der Oberfläche, die gegeben wurde, oder in ihr, und diese Oberfläche bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>object '{object}' has no seed and is left out.</source>
+        <translation>Objekt „{object}“ hat keinen Startpunkt und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{session} was made by version {version}; this is {here}, and the mesh may differ.</source>
+        <translation>{session} ist von Version {version}; dies ist {here}, und das Netz kann abweichen.</translation>
+    </message>
+    <message>
+        <source>the session carries the surface through other frames, too, and these figures are of frame {frame:0f} alone; handlebody-cli replay writes those of all.</source>
+        <translation>die Sitzung trägt die Oberfläche auch durch andere Bilder, und diese Zahlen sind von Bild {frame:0f} allein; handlebody-cli replay schreibt die von allen.</translation>
+    </message>
+    <message>
+        <source>has no effect: it says how a label becomes a surface, and {file} is a mesh.</source>
+        <translation>hat keine Wirkung: es sagt, wie aus einem Label eine Oberfläche wird, und {file} ist ein Netz.</translation>
+    </message>
+    <message>
+        <source>{file} has {count:0f} components, and is to have no more than {most:0f}.</source>
+        <translation>{file} hat {count:0f} Komponenten und soll nicht mehr als {most:0f} haben.</translation>
+    </message>
+    <message>
+        <source>{file} has {count:0f} handles or tunnels, and is to have no more than {most:0f}.</source>
+        <translation>{file} hat {count:0f} Henkel oder Tunnel und soll nicht mehr als {most:0f} haben.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -2211,6 +2211,42 @@
         <source>The click outside of the object at {outside:1f} mm holds the deepest place of the surface to begin with, which stands for the object: give a seed, or another surface.</source>
         <translation>El punto exterior en {outside:1f} mm contiene el punto más profundo de la superficie inicial, que representa el objeto: dé una semilla u otra superficie.</translation>
     </message>
+    <message>
+        <source>has no effect on an object that was given: its surface stays as it is, and nothing grows.</source>
+        <translation>no tiene efecto en un objeto dado: su superficie queda como está, y nada crece.</translation>
+    </message>
+    <message>
+        <source>has no effect with a range, by which the intensities alone say what the object is: leave one of them out.</source>
+        <translation>no tiene efecto con un rango, en el que solo las intensidades dicen qué es el objeto: omita uno de los dos.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies over the surface that was given, or within it, and that surface stays as it is.</source>
+        <translation>La pared en {place} mm está sobre la superficie dada, o dentro de ella, y esa superficie queda como está.</translation>
+    </message>
+    <message>
+        <source>object '{object}' has no seed and is left out.</source>
+        <translation>el objeto «{object}» no tiene semilla y se omite.</translation>
+    </message>
+    <message>
+        <source>{session} was made by version {version}; this is {here}, and the mesh may differ.</source>
+        <translation>{session} se creó con la versión {version}; esta es {here}, y la malla puede ser distinta.</translation>
+    </message>
+    <message>
+        <source>the session carries the surface through other frames, too, and these figures are of frame {frame:0f} alone; handlebody-cli replay writes those of all.</source>
+        <translation>la sesión lleva la superficie también por otros fotogramas, y estas cifras son solo del fotograma {frame:0f}; handlebody-cli replay escribe las de todos.</translation>
+    </message>
+    <message>
+        <source>has no effect: it says how a label becomes a surface, and {file} is a mesh.</source>
+        <translation>no tiene efecto: dice cómo una etiqueta se convierte en superficie, y {file} es una malla.</translation>
+    </message>
+    <message>
+        <source>{file} has {count:0f} components, and is to have no more than {most:0f}.</source>
+        <translation>{file} tiene {count:0f} componentes y no debe tener más de {most:0f}.</translation>
+    </message>
+    <message>
+        <source>{file} has {count:0f} handles or tunnels, and is to have no more than {most:0f}.</source>
+        <translation>{file} tiene {count:0f} asas o túneles y no debe tener más de {most:0f}.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

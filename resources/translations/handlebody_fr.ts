@@ -2211,6 +2211,42 @@
         <source>The click outside of the object at {outside:1f} mm holds the deepest place of the surface to begin with, which stands for the object: give a seed, or another surface.</source>
         <translation>Le point extérieur à {outside:1f} mm contient le point le plus profond de la surface de départ, qui représente l’objet : donnez un germe ou une autre surface.</translation>
     </message>
+    <message>
+        <source>has no effect on an object that was given: its surface stays as it is, and nothing grows.</source>
+        <translation>est sans effet sur un objet donné : sa surface reste telle quelle, et rien ne croît.</translation>
+    </message>
+    <message>
+        <source>has no effect with a range, by which the intensities alone say what the object is: leave one of them out.</source>
+        <translation>est sans effet avec une plage, où seules les intensités disent ce qu’est l’objet : omettez l’une des deux.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies over the surface that was given, or within it, and that surface stays as it is.</source>
+        <translation>La paroi en {place} mm recouvre la surface donnée, ou se trouve dedans, et cette surface reste telle quelle.</translation>
+    </message>
+    <message>
+        <source>object '{object}' has no seed and is left out.</source>
+        <translation>l’objet « {object} » n’a pas de germe et est omis.</translation>
+    </message>
+    <message>
+        <source>{session} was made by version {version}; this is {here}, and the mesh may differ.</source>
+        <translation>{session} a été créé par la version {version} ; celle-ci est {here}, et le maillage peut différer.</translation>
+    </message>
+    <message>
+        <source>the session carries the surface through other frames, too, and these figures are of frame {frame:0f} alone; handlebody-cli replay writes those of all.</source>
+        <translation>la session porte la surface à travers d’autres images aussi, et ces chiffres sont de l’image {frame:0f} seule ; handlebody-cli replay écrit ceux de toutes.</translation>
+    </message>
+    <message>
+        <source>has no effect: it says how a label becomes a surface, and {file} is a mesh.</source>
+        <translation>est sans effet : cela dit comment une étiquette devient une surface, et {file} est un maillage.</translation>
+    </message>
+    <message>
+        <source>{file} has {count:0f} components, and is to have no more than {most:0f}.</source>
+        <translation>{file} a {count:0f} composantes et ne doit pas en avoir plus de {most:0f}.</translation>
+    </message>
+    <message>
+        <source>{file} has {count:0f} handles or tunnels, and is to have no more than {most:0f}.</source>
+        <translation>{file} a {count:0f} anses ou tunnels et ne doit pas en avoir plus de {most:0f}.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -2211,6 +2211,42 @@
         <source>The click outside of the object at {outside:1f} mm holds the deepest place of the surface to begin with, which stands for the object: give a seed, or another surface.</source>
         <translation>位于 {outside:1f} mm 的外部点包含起始表面的最深处，而该处代表对象：请给出种子点或另一个表面。</translation>
     </message>
+    <message>
+        <source>has no effect on an object that was given: its surface stays as it is, and nothing grows.</source>
+        <translation>对给定的对象不起作用：其表面保持原样，不会生长。</translation>
+    </message>
+    <message>
+        <source>has no effect with a range, by which the intensities alone say what the object is: leave one of them out.</source>
+        <translation>与范围同用时不起作用：此时仅由强度决定对象；请去掉其中之一。</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies over the surface that was given, or within it, and that surface stays as it is.</source>
+        <translation>位于 {place} mm 的壁与给定的表面重叠或在其内，而该表面保持原样。</translation>
+    </message>
+    <message>
+        <source>object '{object}' has no seed and is left out.</source>
+        <translation>对象“{object}”没有种子点，已略去。</translation>
+    </message>
+    <message>
+        <source>{session} was made by version {version}; this is {here}, and the mesh may differ.</source>
+        <translation>{session} 由版本 {version} 创建；当前版本为 {here}，网格可能不同。</translation>
+    </message>
+    <message>
+        <source>the session carries the surface through other frames, too, and these figures are of frame {frame:0f} alone; handlebody-cli replay writes those of all.</source>
+        <translation>该会话还将表面传递到其他帧，这些数值仅属于第 {frame:0f} 帧；handlebody-cli replay 会写出所有帧的数值。</translation>
+    </message>
+    <message>
+        <source>has no effect: it says how a label becomes a surface, and {file} is a mesh.</source>
+        <translation>不起作用：它说明标签如何变成表面，而 {file} 是网格。</translation>
+    </message>
+    <message>
+        <source>{file} has {count:0f} components, and is to have no more than {most:0f}.</source>
+        <translation>{file} 有 {count:0f} 个连通分量，但不得多于 {most:0f} 个。</translation>
+    </message>
+    <message>
+        <source>{file} has {count:0f} handles or tunnels, and is to have no more than {most:0f}.</source>
+        <translation>{file} 有 {count:0f} 个柄或隧道，但不得多于 {most:0f} 个。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

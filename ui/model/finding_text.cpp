@@ -63,6 +63,18 @@ constexpr Words kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "the clicks may mean fewer objects than {asked:0f}, which is the one that was asked "
                        "for: number {taken:0f}, the last of them, was taken")},
+    {K::noEffectOnGiven,
+     QT_TRANSLATE_NOOP("Findings",
+                       "has no effect on an object that was given: its surface stays as it is, and nothing "
+                       "grows.")},
+    {K::noEffectWithRange,
+     QT_TRANSLATE_NOOP("Findings",
+                       "has no effect with a range, by which the intensities alone say what the object is: "
+                       "leave one of them out.")},
+    {K::wallOverGiven,
+     QT_TRANSLATE_NOOP("Findings",
+                       "The wall at {place} mm lies over the surface that was given, or within it, and that "
+                       "surface stays as it is.")},
     {K::leaked, QT_TRANSLATE_NOOP("Findings", "the surface leaked at iteration {iteration}: {cause}")},
     {K::leakWalled,
      QT_TRANSLATE_NOOP("Findings",

@@ -463,6 +463,7 @@ void WindowTest::aPictureOfAllViewsShowsAllWhileOneIsMaximised() {
   const QImage all = views.picture(std::nullopt);
   views.maximise(ui::Cell::sagittal);
   QTRY_VERIFY(!views.slice(ui::Plane::coronal).isVisible());
+  QTRY_VERIFY(views.slice(ui::Plane::sagittal).width() > views.width() / 2);
   const QSize large = views.slice(ui::Plane::sagittal).size();
   const QImage sagittal = views.picture(ui::Cell::sagittal);
   const QImage again = views.picture(std::nullopt);
