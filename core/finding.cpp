@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "core/number_text.h"
@@ -65,9 +64,9 @@ constexpr double kPlain = 1e15;  // what is larger has an exponent, not hundreds
 
 std::string number(double value, const std::string& format) {
   if (format.empty() || std::abs(value) >= kPlain) return numberText(value);
-  if (format.back() == 'm') return std::abs(value) >= 100 ? printed("%.0f", value) : printed("%.3g", value);
-  if (format.back() == 'f') return printed("%.*f", std::stoi(format), value);
-  return printed("%.*g", std::stoi(format), value);
+  if (format.back() == 'm') return std::abs(value) >= 100 ? fixedText(value, 0) : numberText(value, 3);
+  if (format.back() == 'f') return fixedText(value, std::stoi(format));
+  return numberText(value, std::stoi(format));
 }
 
 std::string inEnglish(const FindingValue& value, std::string_view format) {

@@ -1,34 +1,33 @@
 #pragma once
-// Numbers in sentences and tables.
+// Numbers in sentences and tables, with a decimal point whatever the locale of the program that we are part
+// of: what we say is read by programs as well, and is the same wherever it is said.
 
-#include <cstdarg>
-#include <cstdio>
+#include <array>
+#include <charconv>
 #include <string>
-
-#include "core/decimal_point.h"
 
 namespace handlebody {
 
-//! As snprintf does it, with a decimal point whatever the locale: what we say is read by programs as well,
-//! and is the same wherever it is said.
-[[gnu::format(printf, 1, 2)]] inline std::string printed(const char* format, ...) {
-  const DecimalPoint point;
-  std::string text;
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::va_list again;
-  va_copy(again, arguments);
-  const int length = std::vsnprintf(nullptr, 0, format, again);
-  va_end(again);
-  if (length > 0) {
-    text.resize(static_cast<std::size_t>(length));
-    std::vsnprintf(text.data(), text.size() + 1, format, arguments);
-  }
-  va_end(arguments);
-  return text;
+inline std::string numberText(double value, std::chars_format format, int precision) {
+  std::array<char, 400> text;  // the largest number has 309 digits before its point
+  const std::to_chars_result end =
+      std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
+  return {text.data(), end.ptr};
 }
 
-//! With up to six digits.
-inline std::string numberText(double value) { return printed("%.6g", value); }
+//! With so many decimals, at most 80.
+inline std::string fixedText(double value, int decimals) {
+  return numberText(value, std::chars_format::fixed, decimals);
+}
+
+//! With up to so many digits.
+inline std::string numberText(double value, int digits = 6) {
+  return numberText(value, std::chars_format::general, digits);
+}
+
+//! "1 edge", "2 edges".
+inline std::string counted(int count, const std::string& thing) {
+  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+}
 
 }  // namespace handlebody

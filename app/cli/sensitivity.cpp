@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/errors.h"
 #include "core/io/report/parse.h"
@@ -21,7 +20,7 @@ constexpr int kMaxRuns = 1000, kFinestDecimals = 7;
 //! has it.
 std::string plainly(double value, int digits) {
   const int magnitude = value > 0 ? static_cast<int>(std::floor(std::log10(value))) : 0;
-  return printed("%.*f", std::clamp(digits - 1 - magnitude, 0, kFinestDecimals), value);
+  return fixedText(value, std::clamp(digits - 1 - magnitude, 0, kFinestDecimals));
 }
 
 std::string inMillilitres(double cubicMillimetres, int digits) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
 #include "core/collision/certify.h"
@@ -238,15 +237,15 @@ Finding polishWarning(const PolishReport& report) {
   const PolishCount& left = report.after;
   if (left.faces == 0 && left.edges == 0) return {};
   const Vec3 at = report.left.empty() ? Vec3(Vec3::Zero()) : report.left.front();
-  std::string text = printed(
-      "polishing leaves %d thin triangle%s and %d sharp edge%s (least angle of the mesh %.2g degrees, "
-      "least dihedral angle %.2g), the worst at %.4g,%.4g,%.4g: %s",
-      left.faces, left.faces == 1 ? "" : "s", left.edges, left.edges == 1 ? "" : "s", left.leastAngle,
-      left.leastDihedral, at.x(), at.y(), at.z(),
-      report.isCutShort  ? "there is too much to be done"
-      : report.isRefused ? "what it made was no valid mesh, and was not kept"
-                         : "to better them the surface would have to move farther than its limit, "
-                           "or to meet itself");
+  const char* why = report.isCutShort  ? "there is too much to be done"
+                    : report.isRefused ? "what it made was no valid mesh, and was not kept"
+                                       : "to better them the surface would have to move farther than its "
+                                         "limit, or to meet itself";
+  std::string text = "polishing leaves " + counted(left.faces, "thin triangle") + " and " +
+                     counted(left.edges, "sharp edge") + " (least angle of the mesh " +
+                     numberText(left.leastAngle, 2) + " degrees, least dihedral angle " +
+                     numberText(left.leastDihedral, 2) + "), the worst at " + numberText(at.x(), 4) + "," +
+                     numberText(at.y(), 4) + "," + numberText(at.z(), 4) + ": " + why;
   return {FindingKind::polishLeaves,
           {{"thin_faces", left.faces},
            {"sharp_edges", left.edges},

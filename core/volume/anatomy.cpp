@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/number_text.h"
 
@@ -33,7 +32,7 @@ bool isOblique(const Grid& grid) {
 char anatomicalLetter(int worldAxis, bool positive) { return (positive ? "LPS" : "RAI")[worldAxis]; }
 
 std::string anatomicalPlace(int worldAxis, double mm) {
-  return printed("%c %.1f", anatomicalLetter(worldAxis, mm >= 0), std::abs(mm));
+  return std::string(1, anatomicalLetter(worldAxis, mm >= 0)) + ' ' + fixedText(std::abs(mm), 1);
 }
 
 const char* anatomicalName(AnatomicalPlane plane) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/decimal_point.h"
+#include "core/io/decimal_point.h"
 #include "core/io/formats/time_axis.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/refuse_input.h"

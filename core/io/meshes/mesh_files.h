@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/decimal_point.h"
+#include "core/io/decimal_point.h"
 #include "core/io/meshes/mesh_io.h"
 
 namespace handlebody {

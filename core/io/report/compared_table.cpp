@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "core/decimal_point.h"
+#include "core/io/decimal_point.h"
 #include "core/io/report/comparison_json.h"
 #include "core/io/report/csv_line.h"
 #include "core/units.h"

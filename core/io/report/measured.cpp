@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "core/decimal_point.h"
+#include "core/io/decimal_point.h"
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/csv_line.h"
 #include "core/io/report/measures_json.h"

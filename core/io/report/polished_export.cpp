@@ -1,6 +1,5 @@
 #include "core/io/report/polished_export.h"
 
-#include <cstdio>
 #include <memory>
 
 #include "core/evolution/walls.h"
@@ -47,12 +46,12 @@ PolishReport polish(CertifiedMesh& made, const PolishOptions& options) {
 std::string polishText(const PolishReport& report) {
   const PolishCount &was = report.before, &is = report.after;
   if (was.faces == 0 && was.edges == 0) return {};
-  return printed(
-      "polished: %d thin triangle%s and %d sharp edge%s, now %d and %d; least angle %.3g to %.3g "
-      "degrees, least dihedral angle %.3g to %.3g; %d faces changed, by up to %.3g mm",
-      was.faces, was.faces == 1 ? "" : "s", was.edges, was.edges == 1 ? "" : "s", is.faces, is.edges,
-      was.leastAngle, is.leastAngle, was.leastDihedral, is.leastDihedral, report.changedFaces,
-      report.farthest);
+  const auto range = [](double from, double to) { return numberText(from, 3) + " to " + numberText(to, 3); };
+  return "polished: " + counted(was.faces, "thin triangle") + " and " + counted(was.edges, "sharp edge") +
+         ", now " + std::to_string(is.faces) + " and " + std::to_string(is.edges) + "; least angle " +
+         range(was.leastAngle, is.leastAngle) + " degrees, least dihedral angle " +
+         range(was.leastDihedral, is.leastDihedral) + "; " + std::to_string(report.changedFaces) +
+         " faces changed, by up to " + numberText(report.farthest, 3) + " mm";
 }
 
 namespace {

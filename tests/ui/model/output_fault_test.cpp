@@ -23,6 +23,7 @@ struct FromMesh : ObjectsWork {
     REQUIRE(waitFor([&] { return isOpen; }));
     document.removeObject(0);  // the one without a click
     rename(document, 0, "ball");
+    REQUIRE(waitFor([&] { return isAtRest(document); }));
     REQUIRE(runToEnd(document));
   }
   template <typename Write>
