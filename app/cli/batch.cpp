@@ -207,9 +207,8 @@ class Batch {
       arguments.push_back("--threads=" + std::to_string(std::max(1, threadCount(0) / jobsAtATime_)));
     for (const StudyInput& input : c.inputs) arguments.push_back(argumentOf(input));
     for (const std::string& file : c.outputs) arguments.push_back("--output=" + folder + "/" + file);
-    for (const char* file : {"report.json", "session.json"})
-      arguments.push_back("--" + std::string(file, 0, std::string(file).find('.')) + "=" + folder + "/" +
-                          file);
+    for (const char* kind : {"report", "session"})
+      arguments.push_back("--" + std::string(kind) + "=" + folder + "/" + kind + ".json");
     if (c.isOverTime())
       for (const char* file : {"curve.csv", "curve.svg"})
         arguments.push_back("--curve=" + folder + "/" + file);

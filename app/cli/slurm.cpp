@@ -106,7 +106,8 @@ std::string sbatch(const std::string& program, std::vector<std::string> words, c
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw UsageError("--slurm: sbatch refused the job, and said: " + said(err));
-  const std::string answer = said(out), number = answer.substr(0, answer.find(';'));  // NUMBER;CLUSTER
+  const std::string answer = said(out);
+  std::string number = answer.substr(0, answer.find(';'));  // NUMBER;CLUSTER
   if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
     throw UsageError("--slurm: sbatch gave no number of a job, and said: " + answer);
   return number;

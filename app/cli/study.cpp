@@ -139,7 +139,7 @@ bool isOurs(const std::string& file) {
 
 //! Path of an input; throws UsageError unless it can be read.
 std::string inputPath(const std::string& text, const fs::path& folder) {
-  const std::string path = (folder / text).lexically_normal().string();
+  std::string path = (folder / text).lexically_normal().string();
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
   if (!fs::exists(status)) throw UsageError(path + ": there is no such file or folder");

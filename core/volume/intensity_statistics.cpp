@@ -37,7 +37,7 @@ std::size_t leadingBits(float value) {
 // Types of one or two bytes have few values: counting them needs no copy of the volume.
 template <typename T>
 std::vector<double> percentilesByCounting(std::span<const T> voxels, std::span<const double> percents) {
-  constexpr int kLowest = std::numeric_limits<T>::min();
+  constexpr int kLowest = static_cast<int>(std::numeric_limits<T>::min());
   std::vector<std::size_t> counts(std::size_t{1} << (8 * sizeof(T)), 0);
   for (T v : voxels) ++counts[v - kLowest];
   std::vector<double> result;

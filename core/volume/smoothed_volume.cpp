@@ -114,7 +114,9 @@ void SmoothedVolume::readRow(const T* voxels, std::size_t row, int from, int cou
 std::unique_ptr<float[]> SmoothedVolume::makeBrick(const std::array<int, 3>& first) const {
   const std::array<int, 3> radius{kernels_[0].radius(), kernels_[1].radius(), kernels_[2].radius()};
   const std::array<int, 3> n{kStored + 2 * radius[0], kStored + 2 * radius[1], kStored + 2 * radius[2]};
-  auto& [raw, alongZ, alongY] = scratch_;
+  std::vector<float>& raw = scratch_.raw;
+  std::vector<float>& alongZ = scratch_.alongZ;
+  std::vector<float>& alongY = scratch_.alongY;
   raw.resize(idx(n[0]) * idx(n[1]) * idx(n[2]));  // with a halo of the kernel's radius
   alongZ.resize(idx(n[0]) * idx(n[1]) * idx(kStored));
   alongY.resize(idx(n[0]) * idx(kStored) * idx(kStored));
@@ -174,7 +176,7 @@ double SmoothedVolume::sample(const Vec3& index) const {
   const float* p = brick(cell.brick) + cell.first;
   const auto along = [](double a, double c, double s) { return a + s * (c - a); };
   const double c00 = along(p[0], p[1], t[0]), c10 = along(p[kStored], p[kStored + 1], t[0]);
-  const float* q = p + kStored * kStored;
+  const float* q = p + idx(kStored) * idx(kStored);
   const double c01 = along(q[0], q[1], t[0]), c11 = along(q[kStored], q[kStored + 1], t[0]);
   return along(along(c00, c10, t[1]), along(c01, c11, t[1]), t[2]);
 }

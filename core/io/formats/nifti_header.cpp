@@ -121,7 +121,7 @@ double distanceFromSform(const NiftiHeader& h, const Grid& grid) {
       if (corner >> a & 1) index[a] = grid.size[a];
     Vec3 world;
     for (int r = 0; r < 3; ++r) {
-      const double* row = h.rows.data() + 4 * r;
+      const double* row = &h.rows[4 * r];
       world[r] = row[0] * index[0] + row[1] * index[1] + row[2] * index[2] + row[3];
     }
     largest = std::max(largest, (toLps(world) - grid.toWorld(index)).norm());
@@ -156,7 +156,7 @@ NiftiHeader readNiftiHeader(const std::string& path) {
   NiftiHeader h;
   h.swapped = b.swapped;
   const unsigned char* magic = b.bytes.data() + (size == 540 ? 4 : 344);
-  const char version = size == 540 ? '2' : '1';
+  const unsigned char version = size == 540 ? '2' : '1';
   h.pair = magic[0] == 'n' && magic[1] == 'i' && magic[2] == version;
   const bool single = magic[0] == 'n' && magic[1] == '+' && magic[2] == version;
   if (!h.pair && !single)

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -76,13 +77,13 @@ std::size_t fillNotANumber(T* values, const Grid& grid, const std::string& path)
       first = i;
   }
   const auto nx = static_cast<std::size_t>(grid.size[0]), ny = static_cast<std::size_t>(grid.size[1]);
-  if (infinite > 0)
-    refuseInput(
-        path,
-        {infinite == 1 ? FindingKind::infiniteVoxel : FindingKind::infiniteVoxels,
-         {{"voxels", infinite},
-          {"index", placeValue(Vec3(static_cast<double>(first % nx), static_cast<double>(first / nx % ny),
-                                    static_cast<double>(first / (nx * ny))))}}});
+  if (infinite > 0) {
+    const std::array<std::size_t, 3> at{first % nx, first / nx % ny, first / (nx * ny)};
+    refuseInput(path, {infinite == 1 ? FindingKind::infiniteVoxel : FindingKind::infiniteVoxels,
+                       {{"voxels", infinite},
+                        {"index", placeValue(Vec3(static_cast<double>(at[0]), static_cast<double>(at[1]),
+                                                  static_cast<double>(at[2])))}}});
+  }
   if (none == n) refuseInput(path, FindingKind::noNumbers);
   if (none == 0) return 0;
   const T below = notANumberBelow(least);
