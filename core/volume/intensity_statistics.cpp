@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -37,7 +36,7 @@ std::size_t leadingBits(float value) {
 // Types of one or two bytes have few values: counting them needs no copy of the volume.
 template <typename T>
 std::vector<double> percentilesByCounting(std::span<const T> voxels, std::span<const double> percents) {
-  constexpr int kLowest = static_cast<int>(std::numeric_limits<T>::min());
+  constexpr int kLowest = std::is_signed_v<T> ? -(1 << (8 * sizeof(T) - 1)) : 0;
   std::vector<std::size_t> counts(std::size_t{1} << (8 * sizeof(T)), 0);
   for (T v : voxels) ++counts[v - kLowest];
   std::vector<double> result;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/indices.h"
 #include "core/io/formats/byte_stream.h"
 
 namespace handlebody {
@@ -121,7 +122,7 @@ double distanceFromSform(const NiftiHeader& h, const Grid& grid) {
       if (corner >> a & 1) index[a] = grid.size[a];
     Vec3 world;
     for (int r = 0; r < 3; ++r) {
-      const double* row = &h.rows[4 * r];
+      const double* row = &h.rows[idx(4) * idx(r)];
       world[r] = row[0] * index[0] + row[1] * index[1] + row[2] * index[2] + row[3];
     }
     largest = std::max(largest, (toLps(world) - grid.toWorld(index)).norm());
