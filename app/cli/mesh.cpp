@@ -168,7 +168,7 @@ int mesh(const MeshOptions& o) {
     writeResults({{chosenLabel(o.object, said), made.mesh}}, context, o.results);
   }
   warnOfLabels(info.warnings, o);
-  warnOfLabels(labelMeshWarnings(made.mesh, mask, o.how), o);
+  warnOfLabels(labelMeshWarnings(made.mesh, made.certificate, mask, o.how), o);
   print(made.certificate, polished, o);
   return kDone;
 }

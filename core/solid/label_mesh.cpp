@@ -330,7 +330,7 @@ double Together::distance(const Vec3& p) const {
 
 bool Together::regulate(GuardedMesh& guarded, double edge) const {
   const Phase phase("regulating");
-  return guarded.regulate({kLongest * edge, kShortest * edge},
+  return guarded.regulate({kLongestWanted * edge, kShortestWanted * edge},
                           [&](const Vec3& p) { return distance(p) <= kMaxApart; });
 }
 

@@ -37,11 +37,11 @@ std::vector<LabelMesh> meshesOf(const std::vector<Mask>& masks, const LabelMeshO
 
 //! What is to be told of a mesh of the mask, as it is in the end: its volume differs by more than kMuchVolume
 //! from that of the voxels, its edges are not of the length that was asked for.
-std::vector<Finding> labelMeshWarnings(const TriangleSoup& mesh, const Mask& mask,
+std::vector<Finding> labelMeshWarnings(const TriangleSoup& mesh, const Certificate& its, const Mask& mask,
                                        const LabelMeshOptions& options);
 
 inline constexpr double kMaxMove = 0.5, kMaxApart = 0.8;
-inline constexpr double kMuchVolume = 0.05;               //!< of that of the voxels
-inline constexpr double kLongest = 1.5, kShortest = 0.6;  //!< edges, of the length that is wanted
+inline constexpr double kMuchVolume = 0.05;                           //!< of that of the voxels
+inline constexpr double kLongestWanted = 1.5, kShortestWanted = 0.6;  //!< edges, of the length asked for
 
 }  // namespace handlebody

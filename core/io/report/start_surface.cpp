@@ -169,11 +169,11 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
   std::map<int, ReadStart> read;
   std::vector<LabelMesh> meshes = meshesIn(key, masks);
   for (std::size_t i = 0; i < values.size(); ++i) {
+    std::vector<Finding> told = labelMeshWarnings(meshes[i].mesh, meshes[i].certificate, masks[i], {});
     const auto at = read.emplace(values[i], readStart(key.path, hash, std::move(meshes[i].mesh))).first;
     at->second.shared = shared[i];
     at->second.warnings = labels.warnings();
-    for (Finding& w : labelMeshWarnings(*at->second.mesh, masks[i], {}))
-      at->second.warnings.push_back({K::ofFile, {{"file", key.path}}, std::move(w)});
+    for (Finding& w : told) at->second.warnings.push_back({K::ofFile, {{"file", key.path}}, std::move(w)});
   }
   return read;
 }
