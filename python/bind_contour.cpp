@@ -122,6 +122,13 @@ py::array contourLabelMap(const Contour& contour, const py::object& on) {
   return ownVoxels(labels);
 }
 
+//! The surface has begun with what was given then, and no other option makes it another one.
+void requireSameStart(const Asked& asked) {
+  for (const std::string& name : asked.given)
+    if (name == "--given" || name.starts_with("--start"))
+      throw OptionError(name, FindingKind::startCannotChange);
+}
+
 void changeContour(Contour& contour, const py::kwargs& options) {
   Asked asked;
   {
@@ -130,6 +137,7 @@ void changeContour(Contour& contour, const py::kwargs& options) {
     asked.constraints = contour.active().constraints();
   }
   readOptions(options, asked);
+  requireSameStart(asked);
   ParameterChange change{0, asked.parameters, {}, std::move(asked.constraints)};
   const std::vector<Click> further = parseClicks(asked.clicks);
   if (!further.empty()) change.seeds = seedsInWorld(further, contour.volume().loaded.volume.grid);
@@ -143,8 +151,9 @@ void saveContour(const Contour& contour, const py::args& to, const std::string& 
   if (paths.empty()) throw py::type_error("save() needs a path.");
   with(contour, [&] {
     const std::lock_guard lock(filesMutex());
-    save(*contour.mesh().soup(), &contour.volume().loaded.info, paths, {space, name, label},
-         inputsOf(contour.told().session));
+    const Session& session = contour.told().session;
+    save(*contour.mesh().soup(), &contour.volume().loaded.info, paths, {space, name, label, session.label},
+         inputsOf(session));
   });
 }
 

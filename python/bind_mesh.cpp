@@ -55,7 +55,7 @@ void saveMesh(const PythonMesh& mesh, const py::object& to, const VolumePointer&
     const std::lock_guard lock(filesMutex());
     std::vector<std::string> inputs;
     if (volume) inputs.push_back(volume->loaded.info.path);
-    save(*mesh.soup(), volume ? &volume->loaded.info : nullptr, {path}, {space, name, label}, inputs);
+    save(*mesh.soup(), volume ? &volume->loaded.info : nullptr, {path}, {space, name, label, {}}, inputs);
   });
 }
 

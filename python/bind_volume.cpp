@@ -88,6 +88,7 @@ VolumePointer volumeFrom(const py::object& given, const py::object& spacing, con
   volume->loaded = fillVolume(grid, type, "array", fill);
   volume->loaded.info.path.clear();
   volume->loaded.info.format = "array";
+  warn(volume->loaded.info.warnings);
   return volume;
 }
 

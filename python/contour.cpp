@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/errors.h"
+#include "core/io/report/label_file.h"
 #include "core/io/report/option_effects.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/start_surface.h"
@@ -22,6 +23,10 @@ RunReport begun(const PythonVolume& volume, Session asked) {
   DecoderSettings decoder = std::move(asked.volume.selection.decoder);
   asked.volume = volume.reference;
   asked.volume.selection.decoder = std::move(decoder);
+  if (auto& start = asked.constraints.start) {
+    findByName(*start);
+    asked.label = asInItsFile(start->path, start->label, false, asked.label);
+  }
   loadWalls(asked, volume.loaded.volume.grid);
   loadStarts(asked);
   requireGivenHolds(asked.constraints, volume.loaded.volume.grid);

@@ -44,7 +44,7 @@ CoordinateSpace spaceOf(const std::string& name) {
 }
 
 ObjectLabel labelOf(const SaveSettings& settings) {
-  ObjectLabel label;
+  ObjectLabel label = settings.object;
   if (!settings.name.empty()) label.name = settings.name;
   if (const std::string fault = objectNameFault(label.name); !fault.empty())
     throw UsageError("name: '" + label.name + "' " + fault + ".");

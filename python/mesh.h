@@ -31,8 +31,9 @@ class PythonMesh {
 //! What a mesh is written with, besides its path.
 struct SaveSettings {
   std::string space = "LPS";
-  std::string name{};  //!< of the object; empty: the default
-  int label = 1;       //!< of its voxels
+  std::string name{};    //!< of the object; empty: that of `object`
+  int label = 1;         //!< of its voxels
+  ObjectLabel object{};  //!< what else is written of it
 };
 
 //! Throws UsageError if writing `path` would change `input` (belongsToVolume); that may be empty.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/errors.h"
 #include "core/io/report/growth_options.h"
 #include "core/io/report/option_effects.h"
 #include "python/bind.h"
@@ -87,6 +88,11 @@ void readOption(const std::string& key, py::handle value, Asked& asked) {
 void readOptions(const py::kwargs& options, Asked& asked) {
   for (const auto& [key, value] : options)
     if (!value.is_none()) readOption(key.cast<std::string>(), value, asked);
+  const auto& start = asked.constraints.start;
+  if (start && start->path.empty() && !start->mesh)
+    throw UsageError(
+        "start_label says which voxels of a label map are meant, start_smooth, start_keep_largest and "
+        "start_genus how they become a surface: give that map with start or given.");
   std::vector<std::string> names = asked.given;
   if (asked.parameters.range) names.emplace_back("--range");  // also one of before a change
   requireEffect(names, asked.constraints);

@@ -43,7 +43,14 @@ std::string nameOf(const CLI::Option& option) {
 
 void checkPaths(CLI::App& command) {
   for (CLI::Option* option : command.get_options()) {
-    if (option->get_positional() || !isPath(*option)) continue;
+    if (option->get_positional()) {
+      option->check([name = option->get_name()](const std::string& text) -> std::string {
+        if (text.empty()) throw OptionError(name, "it is empty.");
+        return {};
+      });
+      continue;
+    }
+    if (!isPath(*option)) continue;
     option->check([&command, name = nameOf(*option)](const std::string& text) -> std::string {
       if (text.empty()) throw OptionError(name, "the path is empty.");
       if (text.starts_with("--") || (text.starts_with("-") && command.get_option_no_throw(text)))
@@ -58,6 +65,21 @@ void addAnonymous(CLI::App& command, bool& isAnonymous) {
   command.add_flag("--anonymous", isAnonymous,
                    "Leave names, dates and identifiers of the source out of every file, and of what is "
                    "printed: paths, and names of objects that are those of their files");
+}
+
+void addMovedFiles(CLI::App& command, InputPaths& inputs) {
+  const auto add = [&](const char* name, const char* type, const char* what,
+                       std::vector<std::string>& paths) {
+    command
+        .add_option(name, paths,
+                    std::string(what) + ", if the session does not say where that is now (repeatable)")
+        ->type_name(type)
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+  };
+  add("--walls", "LABELMAP", "The label map of its walls", inputs.walls);
+  add("--start", "MESH|LABELMAP", "The mesh or label map that it begins with", inputs.starts);
 }
 
 void addSelection(CLI::App& command, VolumeSelection& selection) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/io/formats/volume_io.h"
+#include "core/io/report/session.h"
 
 namespace CLI {
 class App;
@@ -60,6 +61,9 @@ void checkPaths(CLI::App& command);
 
 //! Adds --anonymous of a command that tells figures.
 void addAnonymous(CLI::App& command, bool& isAnonymous);
+
+//! Adds --walls and --start of a command that grows a session again: where its files are now.
+void addMovedFiles(CLI::App& command, InputPaths& inputs);
 
 //! Adds --series, --frame, --spacing and --uneven.
 void addSelection(CLI::App& command, VolumeSelection& selection);

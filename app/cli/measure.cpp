@@ -24,7 +24,8 @@ namespace handlebody::cli {
 namespace {
 
 struct MeasureOptions {
-  std::string path, volume, other;
+  std::string path, other;
+  InputPaths inputs;  // of a mesh the volume alone
   VolumeSelection selection;
   std::vector<Vec3> between;
   std::vector<std::string> wallObjects;  // names; none: the mesh and --to, or its cavities
@@ -49,12 +50,12 @@ void measureMesh(const MeasureOptions& o, Measured& m) {
   object.name = o.path;
   object.mesh = readBody(o.path, object.certificate);
   std::optional<LoadedVolume> loaded;
-  if (!o.volume.empty()) {
-    loaded = loadVolume(o.volume, o.selection);
+  if (!o.inputs.volume.empty()) {
+    loaded = loadVolume(o.inputs.volume, o.selection);
     for (const Finding& w : loaded->info.warnings)
-      m.warnings.push_back({FindingKind::ofFile, {{"file", o.volume}}, w});
+      m.warnings.push_back({FindingKind::ofFile, {{"file", o.inputs.volume}}, w});
   }
-  m.volume = o.volume;
+  m.volume = o.inputs.volume;
   object.measures = objectMeasures(object.mesh, loaded ? &loaded->volume : nullptr);
 }
 
@@ -105,7 +106,7 @@ std::vector<Finding> warningsOf(const MeasureOptions& o, std::vector<Session>& s
 
 //! Grows the objects of a session again. Returns the two of the wall.
 ObjectPair measureSession(const MeasureOptions& o, Measured& m) {
-  std::vector<Session> sessions = readSessions(o.path, {o.volume, {}, {}});
+  std::vector<Session> sessions = readSessions(o.path, o.inputs);
   m.warnings = warningsOf(o, sessions);
   const ObjectPair ofWall = pairOfWall(o, sessions);  // by the names that the session has
   if (o.isAnonymous) hideFileNames(sessions);
@@ -184,14 +185,18 @@ void checkWallObjects(const MeasureOptions& o) {
 
 void check(const MeasureOptions& o) {
   std::vector<std::string> inputs{o.path};
-  if (!o.volume.empty()) inputs.push_back(o.volume);
+  if (!o.inputs.volume.empty()) inputs.push_back(o.inputs.volume);
   if (!o.other.empty()) inputs.push_back(o.other);
+  for (const auto* moved : {&o.inputs.walls, &o.inputs.starts})
+    inputs.insert(inputs.end(), moved->begin(), moved->end());
   checkWritable(outputsOf(o), inputs);
   if (!o.sections.empty() && o.between.empty()) throw UsageError("--sections needs --between.");
   const bool isMesh = isMeshInputPath(o.path);
-  if (isMesh && o.volume.empty() &&
+  if (isMesh && o.inputs.volume.empty() &&
       (o.selection.series || o.selection.frame || o.selection.spacing || o.saysUneven))
     throw UsageError("--series, --frame, --spacing and --uneven need --volume.");
+  if (isMesh && !(o.inputs.walls.empty() && o.inputs.starts.empty()))
+    throw UsageError("--walls and --start: a mesh has none; they are files of a session.");
   if (!isMesh && (o.selection.frame || o.selection.spacing || o.saysUneven))
     throw UsageError("--frame, --spacing and --uneven: a session says these itself.");
   checkWallObjects(o);
@@ -267,9 +272,10 @@ void addMeasure(CLI::App& app, Action& action) {
               "grown again")
           ->required();
   command
-      ->add_option("--volume", options->volume,
+      ->add_option("--volume", options->inputs.volume,
                    "The volume whose intensities are measured; of a session, where its volume is now")
       ->type_name("VOLUME");
+  addMovedFiles(*command, options->inputs);
   addSelection(*command, options->selection);
   command
       ->add_option_function<std::vector<std::string>>(

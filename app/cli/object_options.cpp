@@ -74,11 +74,4 @@ ObjectLabel chosenLabel(const ObjectOptions& options, const ObjectLabel& before)
   return label;
 }
 
-ObjectLabel asInItsFile(const std::string& path, std::optional<int> value, bool isAnonymous,
-                        const ObjectLabel& label) {
-  FileLabel said = labelIn(path, value);
-  if (isAnonymous) said.name.clear();
-  return labelledAs(said, label);
-}
-
 }  // namespace handlebody::cli

@@ -26,9 +26,4 @@ void addObjectOptions(CLI::App& command, ObjectOptions& options);
 //! its meaning as the name of an object that has none of its own.
 ObjectLabel chosenLabel(const ObjectOptions& options, const ObjectLabel& before);
 
-//! `label` as the file of the object's surface has it (see labelIn); where nothing is to name the patient
-//! without the name, which anybody may have written there.
-ObjectLabel asInItsFile(const std::string& path, std::optional<int> value, bool isAnonymous,
-                        const ObjectLabel& label);
-
 }  // namespace handlebody::cli

@@ -95,21 +95,7 @@ void addReplay(CLI::App& app, Action& action) {
       ->add_option("--volume", options->inputs.volume,
                    "Its volume, if the session does not say where that is now")
       ->type_name("PATH");
-  command
-      ->add_option("--walls", options->inputs.walls,
-                   "The label map of its walls, if the session does not say where that is now (repeatable)")
-      ->type_name("LABELMAP")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  command
-      ->add_option("--start", options->inputs.starts,
-                   "The mesh or label map that it begins with, if the session does not say where that is now "
-                   "(repeatable)")
-      ->type_name("MESH|LABELMAP")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  addMovedFiles(*command, options->inputs);
   command->add_option("--series", options->series, "The DICOM series of that volume")->type_name("UID");
   addRunOutputs(*command, options->outputs);
   addObjectOptions(*command, options->outputs.object);

@@ -288,7 +288,11 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
   for (const ResultFile& file : outputs.files) checkResult(file.path, contextOf(report, outputs));
-  if (outputs.sensitivity.runs > 0) requireRepeatable(report.session);
+  const auto& start = report.session.constraints.start;
+  // Beside objects that grow one that is given has none, and does not keep them from theirs.
+  const bool asksSensitivity =
+      outputs.sensitivity.runs > 0 && !(among == Among::others && start && start->isDone);
+  if (asksSensitivity) requireRepeatable(report.session);
   const Volume volume = loaded.volume;  // the contour has the same voxels in memory
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested,
                         report.session.constraints);
@@ -308,12 +312,12 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   report.seconds.exported = watch.lap();
   tellSurface(made, volume, outputs, report);
   watch.lap();
-  if (outputs.sensitivity.runs > 0 && isAtRest(report))
+  if (asksSensitivity && isAtRest(report))
     report.sensitivity = sensitivityOf(made.mesh, {volume, contour.request(), contour.parameters()},
                                        outputs.sensitivity, outputs.quiet);
   report.seconds.sensitivity = watch.lap();
   addWarnings(contour, made.mesh, report);
-  if (outputs.sensitivity.runs > 0)
+  if (asksSensitivity)
     for (Finding& d : warningsOfSensitivity(report)) report.warnings.push_back(std::move(d));
   warn(report.warnings, name);
   report.seconds.exported += watch.lap();

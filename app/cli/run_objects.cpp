@@ -1,5 +1,6 @@
 #include "app/cli/run_objects.h"
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -73,15 +74,26 @@ void polishAll(std::vector<GrownObject>& grown, const Volume& volume, const RunO
 
 }  // namespace
 
+namespace {
+
+//! Before the first of them grows; of those that are given only if nothing grows.
+void requireAllRepeatable(const std::vector<Session*>& all) {
+  const auto isGiven = [](const Session* s) { return s->constraints.start && s->constraints.start->isDone; };
+  const bool areAllGiven = std::all_of(all.begin(), all.end(), isGiven);
+  for (const Session* session : all)
+    if (areAllGiven || !isGiven(session))
+      namingErrors(session->label.name, [&] { requireRepeatable(*session); });
+}
+
+}  // namespace
+
 std::vector<GrownObject> growObjects(LoadedSession first, std::vector<Session> others,
                                      const RunOutputs& outputs) {
   const Volume volume = first.volume;
   const VolumeInfo info = first.info;
   std::vector<Session*> all{&first.session};
   for (Session& session : others) all.push_back(&session);
-  if (outputs.sensitivity.runs > 0)  // before the first of them grows
-    for (const Session* session : all)
-      namingErrors(session->label.name, [&] { requireRepeatable(*session); });
+  if (outputs.sensitivity.runs > 0) requireAllRepeatable(all);
   loadStarts(all);
   std::vector<GrownObject> grown;
   std::vector<WallObject> finished;

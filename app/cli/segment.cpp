@@ -16,6 +16,7 @@
 #include "core/errors.h"
 #include "core/io/report/clicks.h"
 #include "core/io/report/growth_options.h"
+#include "core/io/report/label_file.h"
 #include "core/io/report/option_effects.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/start_surface.h"

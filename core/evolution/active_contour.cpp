@@ -235,6 +235,9 @@ SurfaceSupport ActiveContour::support() const {
 std::vector<Finding> ActiveContour::warnings(const SurfaceSupport& support) const {
   std::vector<Finding> warnings;
   if (!state_->isDone()) warnings = imageWarnings(state_->mesh, *state_->object.image, support);
+  const int asked = requested().candidate, taken = parameters().candidate;
+  if (!state_->isDone() && !requested().range && asked > taken)
+    warnings.push_back({FindingKind::fewerCandidates, {{"asked", asked}, {"taken", taken}}});
   if (stopReason() != StopReason::running)
     for (Finding& click : unheededClicks(state_->mesh, state_->volume.grid, state_->asked.seeds))
       warnings.push_back(std::move(click));

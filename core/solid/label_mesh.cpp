@@ -418,7 +418,9 @@ LabelMesh meshOf(const Mask& mask, const LabelMeshOptions& options) {
 }
 
 std::vector<LabelMesh> meshesOf(const std::vector<Mask>& masks, const LabelMeshOptions& options) {
-  return masks.empty() ? std::vector<LabelMesh>() : Together(masks, options).made();
+  if (masks.empty()) return {};
+  if (masks.size() == 1) return {meshOf(masks[0], options)};
+  return Together(masks, options).made();
 }
 
 }  // namespace handlebody

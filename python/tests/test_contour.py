@@ -112,6 +112,18 @@ def test_a_change_that_is_refused_changes_nothing(ball, grown):
     np.testing.assert_array_equal(contour.vertices, grown.vertices)
 
 
+def test_a_candidate_that_there_is_not_is_told_of_the_last_that_was_asked_for(ball):
+    def told(first, then):
+        contour = handlebody.Contour(ball.volume, seed=ball.seed[:3], candidate=first)
+        contour.run(1)
+        contour.change(candidate=then)
+        contour.run()
+        return any("fewer objects" in warning for warning in contour.warnings())
+
+    assert told(1, 9)
+    assert not told(9, 1)
+
+
 def test_the_mesh_is_certified_and_measured(ball, grown):
     certificate = grown.certificate()
     assert certificate["closed"] and certificate["manifold"] and certificate["oriented"]

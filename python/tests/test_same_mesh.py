@@ -112,6 +112,44 @@ def test_what_can_have_no_effect_is_refused(torus_file, tmp_path):
             handlebody.Contour(volume, **refused)
 
 
+def test_a_start_is_the_same_at_all_iterations(torus_file, tmp_path):
+    path, seed = torus_file
+    volume = handlebody.read_volume(path)
+    first = handlebody.Contour(volume, seed=seed)
+    first.run()
+    first.save(tmp_path / "labels.nrrd")
+    contour = handlebody.Contour(volume, start=tmp_path / "labels.nrrd")
+    contour.run(1)
+    for options in ({"start_smooth": 1}, {"start_label": 1}, {"given": tmp_path / "labels.nrrd"}):
+        with pytest.raises(handlebody.UsageError, match=next(iter(options))):
+            contour.change(**options)
+    contour.change(curvature=0.4)
+    with pytest.raises(handlebody.UsageError, match="start_smooth"):
+        handlebody.Contour(volume, seed=seed, start_smooth=1)
+
+
+def test_a_given_segment_is_called_as_in_its_file(torus_file, tmp_path, cli):
+    path, seed = torus_file
+    volume = handlebody.read_volume(path)
+    cli("segment", path, "--seed", text(seed), "--object-name", "left ring", "--term", "vessel", "--color", "9,8,7",
+        "-o", tmp_path / "made.seg.nrrd", "--quiet")
+    given = tmp_path / "made.seg.nrrd"
+    contour = handlebody.Contour(volume, given=given, start_label=1)
+    contour.save(tmp_path / "python.seg.nrrd")
+    cli("segment", path, "--given", given, "--start-label", "1", "-o", tmp_path / "cli.seg.nrrd", "--quiet")
+    assert (tmp_path / "python.seg.nrrd").read_bytes() == (tmp_path / "cli.seg.nrrd").read_bytes()
+    assert b"left ring" in (tmp_path / "python.seg.nrrd").read_bytes()
+    contour.save(tmp_path / "other.seg.nrrd", name="other")
+    assert b"other" in (tmp_path / "other.seg.nrrd").read_bytes()
+
+
+def test_an_array_with_voxels_that_are_no_numbers_is_warned_of():
+    array = np.zeros((4, 4, 4), np.float32)
+    array[1, 1, 1] = np.nan
+    with pytest.warns(handlebody.HandlebodyWarning):
+        handlebody.Volume(array)
+
+
 def test_an_array_makes_the_mesh_of_its_file(torus_file):
     path, seed = torus_file
     read = handlebody.read_volume(path)

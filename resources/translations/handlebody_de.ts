@@ -3737,8 +3737,8 @@ Mittel ± SA</translation>
         <translation>Ob&amp;jekte öffnen…</translation>
     </message>
     <message>
-        <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
-        <translation>Oberflächen eines Netzes (STL, VTP, PLY, OBJ) oder einer Labelkarte (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) als Objekte übernehmen: wie sie sind, oder um von ihnen aus zu wachsen</translation>
+        <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ, 3MF) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
+        <translation>Oberflächen eines Netzes (STL, VTP, PLY, OBJ, 3MF) oder einer Labelkarte (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) als Objekte übernehmen: wie sie sind, oder um von ihnen aus zu wachsen</translation>
     </message>
     <message>
         <source>&amp;Time</source>

@@ -3737,8 +3737,8 @@ cercano (mm)</translation>
         <translation>Abrir o&amp;bjetos…</translation>
     </message>
     <message>
-        <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
-        <translation>Tomar como objetos las superficies de una malla (STL, VTP, PLY, OBJ) o de un mapa de etiquetas (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage): tal como son, o para crecer desde ellas</translation>
+        <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ, 3MF) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
+        <translation>Tomar como objetos las superficies de una malla (STL, VTP, PLY, OBJ, 3MF) o de un mapa de etiquetas (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage): tal como son, o para crecer desde ellas</translation>
     </message>
     <message>
         <source>&amp;Time</source>

@@ -3737,8 +3737,8 @@ proche (mm)</translation>
         <translation>Ouvrir des o&amp;bjets…</translation>
     </message>
     <message>
-        <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
-        <translation>Prendre comme objets les surfaces d’un maillage (STL, VTP, PLY, OBJ) ou d’une carte d’étiquettes (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) : telles quelles, ou pour croître à partir d’elles</translation>
+        <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ, 3MF) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
+        <translation>Prendre comme objets les surfaces d’un maillage (STL, VTP, PLY, OBJ, 3MF) ou d’une carte d’étiquettes (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) : telles quelles, ou pour croître à partir d’elles</translation>
     </message>
     <message>
         <source>&amp;Time</source>

@@ -3737,8 +3737,8 @@ mean ± SD</source>
         <translation>打开目标(&amp;B)…</translation>
     </message>
     <message>
-        <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
-        <translation>将网格（STL、VTP、PLY、OBJ）或标签图（DICOM、3D Slicer、NIfTI、NRRD、MetaImage）的表面作为目标：保持原样，或由其继续生长</translation>
+        <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ, 3MF) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
+        <translation>将网格（STL、VTP、PLY、OBJ、3MF）或标签图（DICOM、3D Slicer、NIfTI、NRRD、MetaImage）的表面作为目标：保持原样，或由其继续生长</translation>
     </message>
     <message>
         <source>&amp;Time</source>

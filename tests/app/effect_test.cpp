@@ -71,6 +71,26 @@ TEST_CASE("a candidate that a range leaves without effect is refused, one that t
   CHECK_THAT(scene.run({"--seed", "20,20,20"}).err, !Contains("fewer objects"));
 }
 
+TEST_CASE("an empty path is refused by its name", "[cli][effect]") {
+  const test::TempFolder folder;
+  requireRefusal(folder, {"segment", "", "--seed", "1,2,3", "-o", folder / "a.stl"}, 2,
+                 "VOLUME: it is empty");
+  requireRefusal(folder, {"info", ""}, 2, "VOLUME: it is empty");
+  requireRefusal(folder, {"replay", "", "-o", folder / "a.stl"}, 2, "SESSION: it is empty");
+}
+
+TEST_CASE("a given object beside one that grows does not keep that from its sensitivity", "[cli][effect]") {
+  const Given scene;
+  const std::string report = scene.folder / "r.json";
+  const Outcome both = scene.run({"--sensitivity", "2", "--report", report, "--object-name", "a", "--given",
+                                  scene.ball, "--object-name", "b", "--seed", "28,20,20,1"});
+  INFO(both.err);
+  REQUIRE(both.exitCode == 0);
+  const auto json = nlohmann::json::parse(readBytes(report));
+  CHECK_FALSE(json.at("objects").at(0).contains("sensitivity"));
+  CHECK(json.at("objects").at(1).contains("sensitivity"));
+}
+
 TEST_CASE("options of a growth are refused for an object that is given", "[cli][effect]") {
   const Given scene;
   for (const auto& option : std::vector<std::vector<std::string>>{{"--range", "0,10"},

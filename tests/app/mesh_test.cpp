@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "core/collision/certify.h"
 #include "core/io/dicom/dicom_segments.h"
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/file_labels.h"
 #include "core/io/formats/label_map.h"
 #include "core/io/formats/sequence_writer.h"
+#include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
@@ -69,6 +71,25 @@ TEST_CASE("a label's mesh is certified, with its topology and volume", "[cli][me
       {"compare", folder / "a.stl", folder / "l.mha", "--label", "1", "--sampling", "0.3", "--json"});
   CHECK(compared.at("dice") > 0.98);
   CHECK(compared.at("a").at("genus") == compared.at("b").at("genus"));
+}
+
+TEST_CASE("a narrow label that is given is as fine as `mesh` makes it", "[cli][mesh]") {
+  using namespace handlebody;
+  const TempFolder folder;
+  Grid grid = testing::cubicGrid(20);
+  grid.size = {8, 8, 60};
+  grid.spacing = {0.5, 0.5, 3};
+  const Volume vessel = testing::volumeByIndex(
+      grid, [](int i, int j, int k) { return i == 4 && j == 4 && k >= 5 && k < 55 ? 1.0 : 0.0; });
+  writeVolume(vessel, folder / "l.nrrd");
+  REQUIRE(runCli({"mesh", folder / "l.nrrd", "-o", folder / "a.stl", "--polish", "off"}).exitCode == 0);
+  REQUIRE(runCli({"segment", folder / "l.nrrd", "--given", folder / "l.nrrd", "-o", folder / "b.stl",
+                  "--polish", "off"})
+              .exitCode == 0);
+  const Certificate made = certify(readMesh(folder / "a.stl")), given = certify(readMesh(folder / "b.stl"));
+  CHECK(given.volume == made.volume);
+  CHECK(given.vertices == made.vertices);
+  CHECK(given.volume > 0.75 * 50 * grid.voxelVolume());
 }
 
 TEST_CASE("a mesh that has lost much of its voxels' volume, or has other edges than asked for, says so",

@@ -237,6 +237,41 @@ TEST_CASE("a folder with volume and session can be moved", "[session]") {
   CHECK(std::filesystem::exists(readSession(folder / "b/s.json").volume.path));
 }
 
+TEST_CASE("a session names a link to a file as that, and finds it", "[session]") {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder / "store");
+  std::filesystem::create_directories(folder / "a");
+  test::writeBytes(folder / "store/1234", "x");
+  std::filesystem::create_symlink("../store/1234", folder / "a/v.mha");
+  std::filesystem::create_directory_symlink("a", folder / "linked");
+  writeSession(unusualSession(folder / "linked/v.mha"), folder / "s.json");
+  const std::string path = readSession(folder / "s.json").volume.path;
+  CHECK(path.ends_with("a/v.mha"));
+  CHECK(std::filesystem::exists(path));
+}
+
+TEST_CASE("a session that is written to a link lies where that leads to, and names files from there",
+          "[session]") {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder / "deep/er");
+  test::writeBytes(folder / "v.mha", "x");
+  test::writeBytes(folder / "deep/er/old.json", "{}");
+  std::filesystem::create_symlink("deep/er/old.json", folder / "s.json");
+  writeSession(unusualSession(folder / "v.mha"), folder / "s.json");
+  CHECK(std::filesystem::exists(readSession(folder / "s.json").volume.path));
+  CHECK(std::filesystem::is_symlink(folder / "s.json"));
+  CHECK(std::filesystem::exists(readSession(folder / "deep/er/old.json").volume.path));
+}
+
+TEST_CASE("a session that is opened by a link is looked around where it lies, too", "[session]") {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder / "a");
+  test::writeBytes(folder / "a/v.mha", "x");
+  writeSession(unusualSession(folder / "a/v.mha"), folder / "a/s.json");
+  std::filesystem::create_symlink("a/s.json", folder / "linked.json");
+  CHECK(std::filesystem::exists(readSession(folder / "linked.json").volume.path));
+}
+
 TEST_CASE("label maps of walls in corrected frames are named, found and left out as all others are",
           "[session]") {
   const TempFolder folder;

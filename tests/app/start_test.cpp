@@ -201,6 +201,50 @@ TEST_CASE("an anonymous session of several starts is told all of them, in any or
   }
 }
 
+TEST_CASE("a session that names no files is measured when it is told them", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), given = ballMesh(folder, "given.stl", 6);
+  require({"segment", volume, "--given", given, "-o", folder / "a.stl", "--session", folder / "n.json",
+           "--anonymous"});
+  std::vector<std::string> measure{"measure", folder / "n.json", "--volume",
+                                   volume,    "--json",          folder / "m.json"};
+  requireRefusal(folder, measure, 3, "--start");
+  measure.insert(measure.end(), {"--start", given});
+  require(measure);
+  const auto json = nlohmann::json::parse(bytes(folder / "m.json"));
+  CHECK(json.at("objects").at(0).at("measures").at("volume_mm3").get<double>() ==
+        Approx(volumeOf(given)).epsilon(1e-6));
+  requireRefusal(folder, {"measure", given, "--start", given}, 2, "--start");
+  requireRefusal(folder, {"measure", folder / "n.json", "--volume", volume, "--start", given, "--csv", given},
+                 2, "given.stl");
+}
+
+TEST_CASE("a start is known by the hash of its header alone, as earlier sessions have it", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), labels = halves(folder);
+  writeBytes(folder / "labels.raw", "");
+  const Volume voxels = readVolume(labels);
+  visitVoxels(voxels, [&](const auto* v) {
+    std::string raw;
+    for (std::size_t i = 0; i < voxels.grid.voxelCount(); ++i) raw += static_cast<char>(v[i]);
+    writeBytes(folder / "labels.raw", raw);
+  });
+  writeBytes(folder / "labels.nhdr",
+             "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 41 41 41\n"
+             "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\n"
+             "data file: labels.raw\n");
+  require({"segment", volume, "--given", folder / "labels.nhdr", "--start-label", "1", "-o", folder / "a.stl",
+           "--session", folder / "s.json"});
+  auto json = nlohmann::json::parse(bytes(folder / "s.json"));
+  json["requested"]["start"]["sha256"] = hashOfPath(folder / "labels.nhdr").header;
+  writeBytes(folder / "s.json", json.dump());
+  require({"replay", folder / "s.json", "-o", folder / "b.stl"});
+  CHECK(bytes(folder / "b.stl") == bytes(folder / "a.stl"));
+  json["requested"]["start"]["sha256"] = std::string(64, '0');
+  writeBytes(folder / "s.json", json.dump());
+  requireRefusal(folder, {"replay", folder / "s.json", "-o", folder / "b.stl"}, 3, "labels.nhdr");
+}
+
 TEST_CASE("the labels of a map become objects that do not meet, one within another too", "[cli][start]") {
   const TempFolder folder;
   const std::string volume = ballVolume(folder), labels = halves(folder);

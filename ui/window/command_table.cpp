@@ -21,8 +21,8 @@ void addFileCommands(std::vector<CommandSpec>& t) {
             {Command::openFolder, menu, "", T("Open &folder…"), "Ctrl+Shift+O", "folder",
              T("Open a folder with a DICOM series"), kPlain, false},
             {Command::openObjects, menu, "", T("Open o&bjects…"), "", "",
-             T("Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, "
-               "MetaImage) as objects: as they are, or to grow from"),
+             T("Take surfaces of a mesh (STL, VTP, PLY, OBJ, 3MF) or a label map (DICOM, 3D Slicer, NIfTI, "
+               "NRRD, MetaImage) as objects: as they are, or to grow from"),
              kPlain, false},
             {Command::saveSession, menu, "", T("&Save session"), "Ctrl+S", "save",
              T("Save volume reference, seeds and parameters, to go on later or to replay"), kPlain, true},

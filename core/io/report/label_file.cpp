@@ -134,6 +134,13 @@ FileLabel labelIn(const std::string& path, std::optional<int> number) {
   return found == labels.end() ? FileLabel() : found->second;
 }
 
+ObjectLabel asInItsFile(const std::string& path, std::optional<int> number, bool isAnonymous,
+                        const ObjectLabel& label) {
+  FileLabel said = labelIn(path, number);
+  if (isAnonymous) said.name.clear();
+  return labelledAs(said, label);
+}
+
 int labelCalled(const std::string& path, const std::string& text) {
   int number = 0;
   const char* const end = text.data() + text.size();

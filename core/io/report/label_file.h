@@ -60,6 +60,10 @@ std::vector<NamedLabel> labelsIn(const std::string& path);
 //! What a file says of one of its labels, or of the only one that it knows, by its header alone. Nothing of a
 //! mesh, of what says nothing and of what cannot be read, which is told by whoever reads the voxels.
 FileLabel labelIn(const std::string& path, std::optional<int> number);
+//! `label` as the file of the object's surface has it; where nothing is to name the patient without the name,
+//! which anybody may have written there.
+ObjectLabel asInItsFile(const std::string& path, std::optional<int> number, bool isAnonymous,
+                        const ObjectLabel& label);
 //! The number of a label by `text`, which is that or the name that the file has for it, by its header alone.
 //! Throws InputError that names the file and what there is if it has no such name, or has it twice.
 int labelCalled(const std::string& path, const std::string& text);

@@ -76,14 +76,6 @@ Finding closeChoice(const RunReport& report) {
            {"this_ml", all[0].volume / 1000}}};
 }
 
-//! Of a choice that there was not; none where nothing was chosen from.
-Finding fewerCandidates(const Session& session) {
-  const int asked = session.requested.candidate, taken = session.resolved->candidate;
-  const bool isDone = session.constraints.start && session.constraints.start->isDone;
-  if (session.requested.range || isDone || asked <= taken) return {};
-  return {FindingKind::fewerCandidates, {{"asked", asked}, {"taken", taken}}};
-}
-
 }  // namespace
 
 CertifiedMesh certifiedForExport(const TriangleSoup& mesh) {
@@ -122,7 +114,6 @@ std::vector<Finding> resultWarnings(const RunReport& report, const TriangleSoup&
   if (!report.session.constraints.start && atItsSeeds(report, mesh))
     out.push_back(hardlyGrown(*report.session.resolved));
   if (Finding choice = closeChoice(report); choice.any()) out.push_back(std::move(choice));
-  if (Finding fewer = fewerCandidates(report.session); fewer.any()) out.push_back(std::move(fewer));
   if (Finding shared = sharedVoxels(report.session.constraints); shared.any())
     out.push_back(std::move(shared));
   addWarningsOfFiles(report.session, out);

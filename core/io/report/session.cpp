@@ -33,20 +33,31 @@ std::string readText(const std::string& path) {
   return text;
 }
 
+//! Without links but for the last: what that leads to may have another ending, and other files beside it.
+fs::path inRealFolder(const std::string& path) {
+  fs::path whole = fs::absolute(path);
+  if (!whole.has_filename()) whole = whole.parent_path();
+  if (whole.filename() == "." || whole.filename() == "..") return fs::weakly_canonical(whole);
+  return fs::weakly_canonical(whole.parent_path()) / whole.filename();
+}
+
 // A relative path survives a move of the folder that holds volume and session; across different drives or
 // roots there is none, and the absolute path stays.
 std::string storedPath(const std::string& volume, const std::string& session) {
-  const fs::path target = fs::weakly_canonical(fs::absolute(volume));
+  const fs::path target = inRealFolder(volume);
   const fs::path folder = fs::weakly_canonical(fs::absolute(session)).parent_path();
   const fs::path relative = target.lexically_relative(folder);
   return relative.empty() ? target.string() : relative.string();
 }
 
-//! Empty where none is stored.
+//! Beside the session, beside a link to it, or in the current folder. Empty where none is stored.
 std::string openablePath(const std::string& stored, const std::string& session) {
   if (stored.empty() || fs::path(stored).is_absolute()) return stored;
   const fs::path beside = fs::path(session).parent_path() / stored;
-  return fs::exists(beside) || !fs::exists(stored) ? beside.string() : stored;
+  const fs::path besideTarget = fs::weakly_canonical(fs::absolute(session)).parent_path() / stored;
+  for (const fs::path& path : {besideTarget, beside, fs::path(stored)})
+    if (fs::exists(path)) return path.string();
+  return beside.string();
 }
 
 //! Where the session says.

@@ -197,7 +197,7 @@ void take(StartSurface& start, const std::map<int, ReadStart>& file) {
   const auto at = file.find(start.label.value_or(0));
   if (at == file.end()) refuseStart(start.path, {K::lostLabel, {{"label", *start.label}}});
   const ReadStart& read = at->second;
-  if (!start.sha256.empty() && start.sha256 != read.sha256)
+  if (!start.sha256.empty() && start.sha256 != read.sha256 && !hashOfPath(start.path).is(start.sha256))
     throw Told<InputError>(Finding(K::startChanged, {{"file", start.path}}));
   start.sha256 = read.sha256;
   start.mesh = read.mesh;
