@@ -113,6 +113,22 @@ TEST_CASE("meshes of others are read: text STL and PLY, polygons, relative OBJ c
   CHECK(area(readMesh(folder / "a.obj")) == Approx(1));
 }
 
+TEST_CASE("lines of an OBJ may begin with blanks, and a tab may end a keyword") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.obj";
+  writeBytes(path,
+             "v 0 0 0\n  v 1 0 0\nv\t0 1 0\n\tv\t1\t1\t0\r\n \n vt 9 9\n\tvn 0 0 1\nvp 1 1\n"
+             "  f 1 2 3\nf\t2/1\t4/1 3\r\n fo 1 2 3\n");
+  const TriangleSoup mesh = readMesh(path);
+  REQUIRE(mesh.points.size() == 4);
+  CHECK((mesh.points[3] == Vec3(1, 1, 0)));
+  CHECK((mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}}));
+  for (const char* line : {"v", "f\r", " f"}) {
+    writeBytes(path, line);
+    CHECK_THROWS_AS(readMesh(path), InputError);
+  }
+}
+
 TEST_CASE("a text STL has points in its numbers, whatever the locale") {
   const TemporaryFolder folder;
   writeBytes(folder / "a.stl",

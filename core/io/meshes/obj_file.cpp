@@ -21,8 +21,10 @@ void append(std::string& text, double value) {
   text.append(digits, result.ptr);
 }
 
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
 const char* skipBlanks(const char* at, const char* end) {
-  while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
+  while (at < end && isBlank(*at)) ++at;
   return at;
 }
 
@@ -35,11 +37,13 @@ class ObjReader {
     std::string line;
     while (std::getline(stream, line)) {
       ++line_;
-      const char* at = line.data();
-      const char* end = at + line.size();
-      if (line.rfind("#", 0) == 0 && line.find("SPACE=") != std::string::npos) file_.space = spaceIn(line);
-      if (line.rfind("v ", 0) == 0) readVertex(at + 2, end);
-      if (line.rfind("f ", 0) == 0) readFace(at + 2, end);
+      const char* end = line.data() + line.size();
+      const char* at = skipBlanks(line.data(), end);
+      if (at == end) continue;
+      if (*at == '#' && line.find("SPACE=") != std::string::npos) file_.space = spaceIn(line);
+      const bool isLetter = at + 1 == end || isBlank(at[1]);  // vt and vn are others
+      if (isLetter && *at == 'v') readVertex(at + 1, end);
+      if (isLetter && *at == 'f') readFace(at + 1, end);
     }
     return std::move(file_);
   }
