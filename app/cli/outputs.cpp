@@ -12,6 +12,7 @@
 
 #include "app/picture/picture.h"
 #include "core/errors.h"
+#include "core/io/atomic_file.h"
 #include "core/io/formats/volume_files.h"
 #include "core/io/meshes/gltf.h"
 #include "core/io/meshes/mesh_io.h"
@@ -42,7 +43,7 @@ void checkFolder(const OutputFile& file, const fs::path& folder) {
   ::unlink(probe.c_str());
 }
 
-fs::path identity(const std::string& path) { return fs::weakly_canonical(fs::absolute(path)); }
+fs::path identity(const std::string& path) { return fs::weakly_canonical(fs::absolute(behindLinks(path))); }
 
 //! What is read of a volume must not be written.
 void requireFree(const OutputFile& file, const std::string& input) {

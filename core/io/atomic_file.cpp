@@ -10,6 +10,7 @@
 #include <climits>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,9 +24,12 @@ namespace {
 //! Removes the temporary file when it goes out of scope, unless it has got its name.
 class Temporary {
  public:
-  Temporary(std::string path, std::string name) : path_(std::move(path)), name_(std::move(name)) {}
+  Temporary(std::string path, std::string target, std::string name)
+      : path_(std::move(path)), target_(std::move(target)), name_(std::move(name)) {}
   Temporary(Temporary&& other) noexcept
-      : path_(std::exchange(other.path_, {})), name_(std::move(other.name_)) {}
+      : path_(std::exchange(other.path_, {})),
+        target_(std::move(other.target_)),
+        name_(std::move(other.name_)) {}
   Temporary& operator=(Temporary&&) = delete;
   ~Temporary() {
     if (!path_.empty()) ::unlink(path_.c_str());
@@ -33,39 +37,58 @@ class Temporary {
   const std::string& path() const { return path_; }
   //! Throws OutputError.
   void rename() {
-    if (::rename(path_.c_str(), name_.c_str()) != 0) refuseOutput(name_, systemFinding(errno));
+    if (::rename(path_.c_str(), target_.c_str()) != 0) refuseOutput(name_, systemFinding(errno));
     path_.clear();
   }
 
  private:
-  std::string path_, name_;
+  std::string path_, target_;
+  std::string name_;  // as it was asked for: a link to the target, or that itself
 };
 
-std::string temporaryName(const std::string& path) {
+//! In the folder of `target`, with the ending of `path`.
+std::string temporaryName(const std::string& target, const std::string& path) {
   static std::atomic<unsigned> counter{0};  // of the process: two threads may write the same path
-  const fs::path target(path);
   // In front, so that the ending stays; in lower case, because libraries know endings only so. Of a name that
   // is as long as names may be only the end.
   std::string name = ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-";
-  const std::string whole = target.filename().string();
+  const std::string whole = fs::path(path).filename().string();
   name += whole.substr(whole.size() -
                        std::min(whole.size(), NAME_MAX - std::min<std::size_t>(name.size(), NAME_MAX)));
   for (char& c : name)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return (target.parent_path() / name).string();
+  return (fs::path(target).parent_path() / name).string();
+}
+
+//! The permissions of the file that is replaced; none if there is no file. Throws OutputError where there is
+//! what no file may replace: a folder, a device.
+std::optional<mode_t> permissionsAt(const std::string& target, const std::string& path) {
+  struct stat there {};
+  if (::stat(target.c_str(), &there) != 0) {
+    if (errno == ENOENT) return std::nullopt;
+    refuseOutput(path, systemFinding(errno));
+  }
+  if (S_ISDIR(there.st_mode)) refuseOutput(path, FindingKind::folderHasName);
+  if (!S_ISREG(there.st_mode))
+    refuseOutput(path, {FindingKind::other, {{"text", std::string("it is not a regular file")}}});
+  return there.st_mode & 0777;
 }
 
 //! Creates the file empty: finds out before the work whether the folder takes files at all.
-void create(const std::string& temporary, const std::string& path) {
-  const int file = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+Temporary create(const std::string& target, const std::string& path, mode_t permissions) {
+  Temporary temporary(temporaryName(target, path), target, path);
+  const int file = ::open(temporary.path().c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, permissions);
   if (file < 0) refuseOutput(path, systemFinding(errno));
   ::close(file);
+  return temporary;
 }
 
 //! The data must be on the disk before the name is: else a crash leaves an empty file under the final name.
-void flushToDisk(const std::string& temporary, const std::string& path) {
+//! Permissions that a file system does not keep are no reason to lose a result.
+void flushToDisk(const std::string& temporary, const std::string& path, std::optional<mode_t> permissions) {
   const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) refuseOutput(path, systemFinding(errno));
+  if (permissions) static_cast<void>(::fchmod(file, *permissions));
   const int failed = ::fsync(file);
   const int cause = errno;
   ::close(file);
@@ -105,15 +128,27 @@ Finding systemFinding(int error) {
   }
 }
 
+std::string behindLinks(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  fs::path at(path);
+  for (int i = 0; i < kMostLinks; ++i) {
+    std::error_code isNone;
+    const fs::path next = fs::read_symlink(at, isNone);
+    if (isNone) break;
+    at = at.parent_path() / next;
+  }
+  return at.string();
+}
+
 void writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write,
                      FileSet* set) {
   if (fs::path(path).filename().empty()) refuseOutput(path, FindingKind::nameIsFolder);
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) refuseOutput(path, FindingKind::folderHasName);
-  Temporary temporary(temporaryName(path), path);
-  create(temporary.path(), path);
+  const std::string target = behindLinks(path);
+  const std::optional<mode_t> before = permissionsAt(target, path);
+  // Not readable for others while it is written, if it was not before.
+  Temporary temporary = create(target, path, before ? (*before & 0666) | 0600 : 0666);
   write(temporary.path());
-  flushToDisk(temporary.path(), path);
+  flushToDisk(temporary.path(), path, before);
   if (set != nullptr)
     set->waiting_->files.push_back(std::move(temporary));
   else

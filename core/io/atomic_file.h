@@ -17,10 +17,16 @@ class FileSet;
 //! What an errno says, as the end of a sentence.
 Finding systemFinding(int error);
 
+//! Where a file of that name is written: where its symbolic links lead to, also if there is nothing yet. Of
+//! links in a circle one of them.
+std::string behindLinks(const std::string& path);
+
 //! Calls `write` with a temporary name in the folder of `path` (same ending in lower case, so that a
 //! writer can choose its format by it) and then renames that file to `path`. If anything fails or throws, the
-//! temporary file is removed and what was at `path` before stays. Throws OutputError (which names `path`) if
-//! the file cannot be created or renamed, and whatever `write` throws.
+//! temporary file is removed and what was at `path` before stays. A symbolic link stays, too: what it leads
+//! to is written, in that folder. A file that is replaced leaves its permissions to the new one. Throws
+//! OutputError (which names `path`) if the file cannot be created or renamed, or would replace what is not a
+//! file, and whatever `write` throws.
 //! With `set` it is FileSet::commit that renames it.
 void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write,
                      FileSet* set = nullptr);

@@ -48,6 +48,8 @@ TEST_CASE("checking whether files can be written leaves nothing behind", "[cli]"
   CHECK_THROWS_AS(checkWritable({{"-o", folder / "a.stl"}, {"--report", folder / "./a.stl"}}, {}),
                   UsageError);
   CHECK_THROWS_AS(checkWritable({{"-o", folder / "v.mha"}}, {folder / "v.mha"}), UsageError);
+  std::filesystem::create_symlink(folder / "missing/b.stl", folder / "b.stl");
+  CHECK_THROWS_WITH(checkWritable({{"-o", folder / "b.stl"}}, {}), Contains("missing does not exist"));
   CHECK_THROWS_AS(checkWritable({{"-o", folder.path()}}, {}), UsageError);
 }
 

@@ -94,6 +94,59 @@ TEST_CASE("a name may be as long as names are") {
   CHECK(readBytes(path) == "whole");
 }
 
+TEST_CASE("a link stays, and what it leads to is written") {
+  const TemporaryFolder folder, other;
+  writeBytes(other / "kept", "old");
+  fs::create_symlink(other / "kept", folder / "a.json");
+  fs::create_symlink("a.json", folder / "b.json");  // from where the link is
+  fs::create_symlink(other / "new", folder / "dangling.json");
+  for (const auto& [link, file] : {std::pair("b.json", "kept"), std::pair("dangling.json", "new")}) {
+    INFO(link);
+    writeAtomically(folder / link, [&](const std::string& temporary) {
+      CHECK(fs::path(temporary).parent_path() == other.path());
+      CHECK(fs::path(temporary).extension() == ".json");
+      writeBytes(temporary, "text");
+    });
+    CHECK(fs::is_symlink(folder / link));
+    CHECK(readBytes(other / file) == "text");
+    CHECK_FALSE(fs::is_symlink(other / file));
+  }
+  CHECK(fs::is_symlink(folder / "a.json"));
+  CHECK(folder.fileCount() == 3);
+  CHECK(other.fileCount() == 2);
+}
+
+TEST_CASE("links that lead to no file are refused, and stay") {
+  const TemporaryFolder folder;
+  fs::create_symlink(folder / "missing/file", folder / "nowhere");
+  fs::create_symlink("circle", folder / "circle");
+  fs::create_symlink("/dev/null", folder / "device");
+  fs::create_symlink(folder.path(), folder / "folder");
+  for (const char* link : {"nowhere", "circle", "device", "folder"}) {
+    INFO(link);
+    CHECK_THROWS_AS(writeTextAtomically(folder / link, "text"), OutputError);
+    CHECK(fs::is_symlink(folder / link));
+  }
+  CHECK(fs::is_character_file("/dev/null"));
+  CHECK(folder.fileCount() == 4);
+}
+
+TEST_CASE("a file that is replaced leaves its permissions to the new one") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "r.json";
+  for (const fs::perms kept : {fs::perms(0600), fs::perms(0664), fs::perms(0444)}) {
+    writeBytes(path, "old");
+    fs::permissions(path, kept);
+    writeAtomically(path, [&](const std::string& temporary) {
+      INFO("nobody reads it while it is written who could not read it before");
+      CHECK((fs::status(temporary).permissions() & fs::perms(0066) & ~kept) == fs::perms::none);
+      std::ofstream(temporary) << "new";
+    });
+    CHECK(readBytes(path) == "new");
+    CHECK(fs::status(path).permissions() == kept);
+  }
+}
+
 TEST_CASE("a writer that throws leaves no file and keeps the old one") {
   const TemporaryFolder folder;
   writeTextAtomically(folder / "r.json", "old");
