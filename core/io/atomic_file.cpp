@@ -24,6 +24,7 @@ namespace {
 //! Removes the temporary file when it goes out of scope, unless it has got its name.
 class Temporary {
  public:
+  //! Of a file that was made for it.
   Temporary(std::string path, std::string target, std::string name)
       : path_(std::move(path)), target_(std::move(target)), name_(std::move(name)) {}
   Temporary(Temporary&& other) noexcept
@@ -74,13 +75,22 @@ std::optional<mode_t> permissionsAt(const std::string& target, const std::string
   return there.st_mode & 0777;
 }
 
-//! Creates the file empty: finds out before the work whether the folder takes files at all.
+//! Creates the file empty: finds out before the work whether the folder takes files at all. What has the name
+//! of a temporary file already is of another process, which has the same number in another container, or was
+//! left by one that was killed: it stays.
 Temporary create(const std::string& target, const std::string& path, mode_t permissions) {
-  Temporary temporary(temporaryName(target, path), target, path);
-  const int file = ::open(temporary.path().c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, permissions);
-  if (file < 0) refuseOutput(path, systemFinding(errno));
-  ::close(file);
-  return temporary;
+  constexpr int kMostInTheWay = 10000;
+  for (int i = 0; i < kMostInTheWay; ++i) {
+    const std::string name = temporaryName(target, path);
+    const int file = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, permissions);
+    if (file >= 0) {
+      ::close(file);
+      return {name, target, path};
+    }
+    const int cause = errno;
+    if (cause != EEXIST) refuseOutput(path, systemFinding(cause));
+  }
+  refuseOutput(path, systemFinding(EEXIST));
 }
 
 //! The data must be on the disk before the name is: else a crash leaves an empty file under the final name.

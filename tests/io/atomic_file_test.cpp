@@ -147,6 +147,27 @@ TEST_CASE("a file that is replaced leaves its permissions to the new one") {
   }
 }
 
+TEST_CASE("what has the name of a temporary file already is in nobody's way, and stays") {
+  const TemporaryFolder folder;
+  const std::string start = ".tmp-" + std::to_string(getpid()) + "-";
+  unsigned number = 0;  // of the last temporary file
+  writeAtomically(folder / "r.json", [&](const std::string& temporary) {
+    const std::string name = fs::path(temporary).filename().string();
+    REQUIRE(name.rfind(start, 0) == 0);
+    number = static_cast<unsigned>(std::stoul(name.substr(start.size())));
+    writeBytes(temporary, "first");
+  });
+  std::vector<std::string> left;
+  for (const unsigned next : {1u, 2u, 3u}) {
+    left.push_back(folder / (start + std::to_string(number + next) + "-r.json"));
+    writeBytes(left.back(), "of another");
+  }
+  writeTextAtomically(folder / "r.json", "second");
+  CHECK(readBytes(folder / "r.json") == "second");
+  for (const std::string& path : left) CHECK(readBytes(path) == "of another");
+  CHECK(folder.fileCount() == 4);
+}
+
 TEST_CASE("a writer that throws leaves no file and keeps the old one") {
   const TemporaryFolder folder;
   writeTextAtomically(folder / "r.json", "old");
