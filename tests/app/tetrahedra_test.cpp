@@ -17,6 +17,7 @@
 
 #include "core/cancellation.h"
 #include "core/errors.h"
+#include "core/io/report/result.h"
 #include "core/io/tetrahedra/mesher_process.h"
 #include "core/io/tetrahedra/tetrahedra.h"
 #include "core/mesh/shapes.h"
@@ -261,20 +262,65 @@ TEST_CASE("at a terminal it is told which program works and for how long", "[cli
   }
 }
 
-TEST_CASE("a program that fails is named with what it said", "[tetrahedra]") {
-  const TempFolder folder;
-  std::filesystem::create_directory(folder / "fake");
-  writeBytes(folder / "fake/gmsh", "#!/bin/sh\necho 'Error   : no luck today'\nexit 1\n");
-  std::filesystem::permissions(folder / "fake/gmsh", std::filesystem::perms::owner_all);
-  const std::string before = std::getenv("PATH");
-  setenv("PATH", (folder / "fake").c_str(), 1);
-  std::string said;
-  try {
-    fillWithTetrahedra({{{}, nested()}});
-  } catch (const OutputError& error) {
-    said = error.what();
+namespace {
+
+//! While it lives there is one program, which fails.
+class FailingGmsh {
+ public:
+  FailingGmsh() : before_(std::getenv("PATH")) {
+    writeBytes(folder_ / "gmsh", "#!/bin/sh\necho 'Error   : no luck today'\nexit 1\n");
+    std::filesystem::permissions(folder_ / "gmsh", std::filesystem::perms::owner_all);
+    const std::string folder = std::filesystem::path(folder_ / "gmsh").parent_path().string();
+    setenv("PATH", folder.c_str(), 1);
   }
-  setenv("PATH", before.c_str(), 1);
+  ~FailingGmsh() { setenv("PATH", before_.c_str(), 1); }
+  FailingGmsh(const FailingGmsh&) = delete;
+  FailingGmsh& operator=(const FailingGmsh&) = delete;
+
+ private:
+  TempFolder folder_;
+  std::string before_;
+};
+
+//! Temporary files are to lie in this folder while it lives.
+class TemporaryIn {
+ public:
+  explicit TemporaryIn(const std::string& folder) {
+    if (const char* before = std::getenv("TMPDIR")) before_ = before;
+    setenv("TMPDIR", folder.c_str(), 1);
+  }
+  ~TemporaryIn() { before_ ? setenv("TMPDIR", before_->c_str(), 1) : unsetenv("TMPDIR"); }
+  TemporaryIn(const TemporaryIn&) = delete;
+  TemporaryIn& operator=(const TemporaryIn&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
+}  // namespace
+
+TEST_CASE("that there is no folder for temporary files is told before the work", "[tetrahedra]") {
+  const FailingGmsh gmsh;
+  const TempFolder folder;
+  const TemporaryIn none(folder / "missing");
+  const char* const told = "no folder for temporary files can be made";
+  CHECK_THROWS_WITH(fillWithTetrahedra({{{}, nested()}}), Contains(told));
+  CHECK_THROWS_AS(fillWithTetrahedra({{{}, nested()}}), OutputError);
+  CHECK_THROWS_WITH(checkResult("o.msh", {}), Contains("o.msh: ") && Contains(told));
+  CHECK_THROWS_AS(checkResult("o.msh", {}), UsageError);
+  CHECK_NOTHROW(checkResult("o.stl", {}));
+}
+
+TEST_CASE("a program that fails is named with what it said", "[tetrahedra]") {
+  std::string said;
+  {
+    const FailingGmsh gmsh;
+    try {
+      fillWithTetrahedra({{{}, nested()}});
+    } catch (const OutputError& error) {
+      said = error.what();
+    }
+  }
   CHECK_THAT(said, Contains("'Object'"));
   CHECK_THAT(said, Contains("no luck today"));
 }

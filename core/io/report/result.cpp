@@ -142,10 +142,20 @@ bool areSpacesFixed(const std::vector<std::string>& paths) {
   return std::any_of(paths.begin(), paths.end(), isFixed) && std::none_of(paths.begin(), paths.end(), isFree);
 }
 
+namespace {
+
+void requireMesher(const std::string& path) try {
+  if (!tetrahedraFault().empty())
+    throw Told<UsageError>(Finding(FindingKind::fileRefused, {{"file", path}}, FindingKind::noMesher));
+  requireTemporaryFolder();
+} catch (const OutputError& error) {
+  throw Told<UsageError>(Finding(FindingKind::fileRefusedWith, {{"file", path}}, saidBy(error)));
+}
+
+}  // namespace
+
 void checkResult(const std::string& path, const ExportContext& context) {
-  if (isTetrahedraPath(path))
-    if (!tetrahedraFault().empty())
-      throw Told<UsageError>(Finding(FindingKind::fileRefused, {{"file", path}}, FindingKind::noMesher));
+  if (isTetrahedraPath(path)) requireMesher(path);
   if (!isDicomResult(path)) return;
   if (const Finding fault = dicomFinding(context.dicom.get()); fault.any()) refuseDicom(path, fault);
 }

@@ -14,6 +14,7 @@
 #include "core/indices.h"
 #include "core/io/atomic_file.h"
 #include "core/io/tetrahedra/limited_program.h"
+#include "core/io/tetrahedra/tetrahedra.h"
 #include "core/phase.h"
 #include "core/told_error.h"
 
@@ -25,12 +26,23 @@ namespace {
 
 constexpr std::size_t kMaxSaid = 300;  // characters of what a program said
 
+[[noreturn]] void refuseTemporary(int error) {
+  throw Told<OutputError>(Finding(FindingKind::noTemporaryFolder, {}, systemFinding(error)));
+}
+
+//! Throws OutputError where TMPDIR, or what stands for it, is no folder.
+fs::path temporaryFolder() {
+  std::error_code failed;
+  fs::path folder = fs::temp_directory_path(failed);
+  if (failed) refuseTemporary(failed.value());
+  return folder;
+}
+
 //! A folder of its own, removed with what is in it.
 class WorkFolder {
  public:
-  WorkFolder() : path_((fs::temp_directory_path() / "handlebody-XXXXXX").string()) {
-    if (!::mkdtemp(path_.data()))
-      throw Told<OutputError>(Finding(FindingKind::noTemporaryFolder, {}, systemFinding(errno)));
+  WorkFolder() : path_((temporaryFolder() / "handlebody-XXXXXX").string()) {
+    if (!::mkdtemp(path_.data())) refuseTemporary(errno);
   }
   ~WorkFolder() {
     std::error_code ignored;
@@ -206,6 +218,8 @@ MesherOutput readTetgen(const std::string& nodes, const std::string& cells) {
 bool isDone(const ProgramEnd& end) { return !end.isTooLong && end.exitCode == 0; }
 
 }  // namespace
+
+void requireTemporaryFolder() { const WorkFolder folder; }
 
 std::optional<std::string> findProgram(const std::string& name) {
   const char* path = std::getenv("PATH");

@@ -17,6 +17,9 @@ bool isTetrahedraPath(const std::string& path);
 //! sentence.
 std::string tetrahedraFault();
 
+//! Throws OutputError, without the name of a file, if there is no folder for the files of these programs.
+void requireTemporaryFolder();
+
 struct Tetrahedra {
   std::vector<Vec3> points;               //!< mm LPS
   std::vector<std::array<int, 4>> cells;  //!< indices, of positive volume (right-handed)
