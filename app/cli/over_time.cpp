@@ -287,13 +287,17 @@ int runOverTime(LoadedSession loaded, const RunOutputs& outputs, const OverTimeO
   Stopwatch watch;
   {
     DeferSignals whole;
-    writeFrameFiles(grown.report, outputs, options.curves);
-    if (shown) writePicture(*shown, grown.mesh, outputs.picture);
-    writeSpread(grown.mesh, grown.report, outputs);
-    grown.report.seconds.exported += watch.lap();
-    const Timings& s = grown.report.seconds;
-    grown.report.seconds.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;
-    writeSideFiles(grown.report, outputs);
+    const auto results = [&] {
+      writeFrameFiles(grown.report, outputs, options.curves);
+      if (shown) writePicture(*shown, grown.mesh, outputs.picture);
+      writeSpread(grown.mesh, grown.report, outputs);
+    };
+    writeAll(results, [&] {
+      Timings& s = grown.report.seconds;
+      s.exported += watch.lap();
+      s.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;
+      writeSideFiles(grown.report, outputs);
+    });
   }
   if (!outputs.quiet) {
     printSummary(grown.report);

@@ -188,6 +188,21 @@ void writeSideFiles(RunReport report, const RunOutputs& outputs) {
   if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(report));
 }
 
+void writeAll(const std::function<void()>& results, const std::function<void()>& sideFiles) {
+  try {
+    results();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::exception&) {
+    try {
+      sideFiles();
+    } catch (const std::exception&) {  // the same full disk, most likely: the first is told
+    }
+    throw;
+  }
+  sideFiles();
+}
+
 namespace {
 
 ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
@@ -329,20 +344,24 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   if (!outputs.picture.empty()) shown = loaded.volume;
   loaded.session.label = chosenLabel(outputs.object, loaded.session.label);
   loadStarts(loaded.session);
-  auto [report, mesh, polishing, unpolished] = grow(std::move(loaded), outputs);
+  GrownObject grown = grow(std::move(loaded), outputs);
   Stopwatch watch;
   {
     DeferSignals whole;
-    writeObjects({{labelInFiles(report, outputs), mesh}}, report, outputs);
-    if (shown) writePicture(*shown, mesh, outputs.picture);
-    writeSpread(mesh, report, outputs);
-    report.seconds.exported += watch.lap();
-    const Timings& s = report.seconds;
-    report.seconds.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;
-    writeSideFiles(report, outputs);
+    const auto results = [&, &report = grown.report, &mesh = grown.mesh] {
+      writeObjects({{labelInFiles(report, outputs), mesh}}, report, outputs);
+      if (shown) writePicture(*shown, mesh, outputs.picture);
+      writeSpread(mesh, report, outputs);
+    };
+    writeAll(results, [&, &report = grown.report] {
+      report.seconds.exported += watch.lap();
+      const Timings& s = report.seconds;
+      report.seconds.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;
+      writeSideFiles(report, outputs);
+    });
   }
-  if (!outputs.quiet) printSummary(report);
-  return exitCodeOf({report});
+  if (!outputs.quiet) printSummary(grown.report);
+  return exitCodeOf({grown.report});
 }
 
 }  // namespace handlebody::cli

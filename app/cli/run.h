@@ -2,6 +2,7 @@
 // From a loaded volume to files: what `segment` and `replay` share. Who calls has a PhaseLine.
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -112,6 +113,10 @@ void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& r
 void writeSpread(const TriangleSoup& mesh, const RunReport& report, const RunOutputs& outputs);
 //! Writes session, trace and report. Throws OutputError.
 void writeSideFiles(RunReport report, const RunOutputs& outputs);
+//! Writes the results and then what tells of them, session and report: these also where a result cannot be
+//! written, so that a long growth is not lost. Throws what went wrong first; after Cancelled nothing more is
+//! written.
+void writeAll(const std::function<void()>& results, const std::function<void()>& sideFiles);
 //! Of what the reports tell; kLeak goes before kMaxIterations.
 int exitCodeOf(const std::vector<RunReport>& reports);
 

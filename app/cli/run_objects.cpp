@@ -196,12 +196,16 @@ int runObjects(LoadedSession first, std::vector<Session> others, const RunOutput
   const std::vector<PairGap> gaps = gapsOf(objects, outputs);
   {
     DeferSignals whole;
-    writeObjects(objects, reports[0], outputs);
-    if (shown) writePicture(*shown, together(objects), outputs.picture);
-    seconds.exported += watch.lap();
-    seconds.total = seconds.load + seconds.prepare + seconds.evolve + seconds.exported + seconds.tunnels +
-                    seconds.sensitivity;
-    writeSideFiles(reports, seconds, gaps, outputs);
+    const auto results = [&] {
+      writeObjects(objects, reports[0], outputs);
+      if (shown) writePicture(*shown, together(objects), outputs.picture);
+    };
+    writeAll(results, [&] {
+      seconds.exported += watch.lap();
+      seconds.total = seconds.load + seconds.prepare + seconds.evolve + seconds.exported + seconds.tunnels +
+                      seconds.sensitivity;
+      writeSideFiles(reports, seconds, gaps, outputs);
+    });
   }
   for (const RunReport& report : reports)
     if (!outputs.quiet) printSummary(report, report.session.label.name);

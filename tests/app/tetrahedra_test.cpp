@@ -311,6 +311,21 @@ TEST_CASE("that there is no folder for temporary files is told before the work",
   CHECK_NOTHROW(checkResult("o.stl", {}));
 }
 
+TEST_CASE("session and report of a growth whose tetrahedra fail are written", "[cli][tetrahedra]") {
+  const FailingGmsh gmsh;
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const Outcome outcome =
+      runCli({"segment", phantom.path, "--seed", phantom.seed, "-o", folder / "m.msh", "--session",
+              folder / "s.json", "--report", folder / "r.json", "--edge-length", "4", "--quiet"});
+  CHECK(outcome.exitCode == 2);
+  CHECK_THAT(outcome.err, Contains("no luck today"));
+  CHECK(nlohmann::json::parse(readBytes(folder / "r.json")).contains("mesh"));
+  const Outcome again = runCli({"replay", folder / "s.json", "-o", folder / "m.stl", "--quiet"});
+  CHECK(again.exitCode == 0);
+  CHECK_FALSE(std::filesystem::exists(folder / "m.msh"));
+}
+
 TEST_CASE("a program that fails is named with what it said", "[tetrahedra]") {
   std::string said;
   {
