@@ -106,6 +106,25 @@ TEST_CASE("a segmentation that is read back holds the same voxels at the same pl
       }
 }
 
+TEST_CASE("segments are numbered in the order of the label values, without gaps") {
+  const Source source;
+  auto objects = twoOrgans();
+  std::swap(objects[0].label.value, objects[1].label.value);
+  const Volume labels = randomLabels(source.grid());
+  const std::string path = source.folder / "out.seg.dcm";
+  writeDicomSegmentation(labels, objects, source.origin(), {}, path);
+  const std::string bytes = readBytes(path);
+  const auto cyst = bytes.find("Cyst"), kidney = bytes.find("Left kidney");
+  REQUIRE(cyst != std::string::npos);
+  REQUIRE(kidney != std::string::npos);
+  CHECK(cyst < kidney);
+  const Volume back = readVolume(path);
+  const auto* written = labels.data<std::uint8_t>();
+  const auto* read = back.data<std::uint8_t>();
+  for (std::size_t i = 0, n = back.grid.voxelCount(); i < n; ++i)  // slice 0 is empty and not written
+    REQUIRE(read[i] == (written[i + 35] == 3 ? 1 : written[i + 35] == 9 ? 2 : 0));
+}
+
 TEST_CASE("a segmentation of an object in one slice is read back, with an empty slice behind") {
   const Source source;
   const Grid& grid = source.grid();

@@ -26,6 +26,8 @@ namespace {
 using dicom::decimal;
 using dicom::require;
 
+using Objects = std::vector<const ExportedObject*>;  // in the order of the segments
+
 constexpr const char* kRefused = "the segmentation cannot be made";
 
 CodeSequenceMacro codeOf(const Code& code) { return {code.value.c_str(), kSnomed, code.meaning.c_str()}; }
@@ -246,12 +248,12 @@ void addTexts(const SegmentSource& source, dicom::Texts& texts) {
 }
 
 //! What the library writes otherwise, or checks more strictly than real series are made.
-void complete(DcmDataset& data, const std::vector<ExportedObject>& objects, const DicomOrigin& origin,
+void complete(DcmDataset& data, const Objects& objects, const DicomOrigin& origin,
               const DicomContent& content, const std::string& path) {
   dicom::Texts texts{content.creator, content.description};
-  for (const ExportedObject& object : objects) {
-    texts.push_back(object.label.name);
-    addTexts(sourceOf(object, content), texts);
+  for (const ExportedObject* object : objects) {
+    texts.push_back(object->label.name);
+    addTexts(sourceOf(*object, content), texts);
   }
   dicom::addPatientAndStudy(data, origin, content, texts, path);
   dicom::addReferencedSeries(data, origin, content);
@@ -262,23 +264,35 @@ void complete(DcmDataset& data, const std::vector<ExportedObject>& objects, cons
   for (std::size_t i = 0; i < objects.size(); ++i) {
     DcmItem* segment = nullptr;
     require(data.findAndGetSequenceItem(DCM_SegmentSequence, segment, static_cast<long>(i)), path, kRefused);
-    segment->putAndInsertString(DCM_SegmentLabel, objects[i].label.name.c_str());
-    const SegmentSource source = sourceOf(objects[i], content);
+    segment->putAndInsertString(DCM_SegmentLabel, objects[i]->label.name.c_str());
+    const SegmentSource source = sourceOf(*objects[i], content);
     if (source.terminology) putTerminology(*segment, *source.terminology);
     putAlgorithm(*segment, writtenAlgorithm(source.algorithm));
   }
 }
 
+//! In the order of their values: segments are numbered from 1 without gaps (PS3.3 C.8.20.4.1), whatever the
+//! values are.
+Objects byValue(const std::vector<ExportedObject>& objects) {
+  Objects sorted;
+  for (const ExportedObject& object : objects) sorted.push_back(&object);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const ExportedObject* a, const ExportedObject* b) {
+    return a->label.value < b->label.value;
+  });
+  return sorted;
+}
+
 }  // namespace
 
-void writeDicomSegmentation(const Volume& labels, const std::vector<ExportedObject>& objects,
+void writeDicomSegmentation(const Volume& labels, const std::vector<ExportedObject>& given,
                             const DicomOrigin& origin, const DicomContent& content, const std::string& path) {
+  const Objects objects = byValue(given);
   dicom::checkExport(origin, content, path);
   if (origin.straight && origin.images.size() < static_cast<std::size_t>(labels.grid.size[2]))
     refuseDicom(path, FindingKind::labelsNotOnGrid);
   Maker maker(labels, origin, content, path);
   maker.describe();
-  for (const ExportedObject& object : objects) maker.add(object);
+  for (const ExportedObject* object : objects) maker.add(*object);
   DcmDataset data;
   maker.write(data);
   complete(data, objects, origin, content, path);

@@ -40,9 +40,9 @@ bool namesImages(const DicomOrigin& origin);
 Finding dicomTextFinding(const std::string& text);
 
 //! Writes the label map of the objects as a binary DICOM Segmentation (PS3.3 A.51): a segment per object,
-//! numbered from 1, with a frame for every slice between its first and last. Each frame refers to its source
-//! image unless the volume was resampled. Whole or not at all, read back and compared. Throws OutputError
-//! that begins with `path`; UsageError for an origin with a fault.
+//! numbered from 1 in the order of their label values, with a frame for every slice between its first and
+//! last. Each frame refers to its source image unless the volume was resampled. Whole or not at all, read
+//! back and compared. Throws OutputError that begins with `path`; UsageError for an origin with a fault.
 void writeDicomSegmentation(const Volume& labels, const std::vector<ExportedObject>& objects,
                             const DicomOrigin& origin, const DicomContent& content, const std::string& path);
 
