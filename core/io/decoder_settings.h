@@ -11,7 +11,9 @@ struct DecoderSettings {
   //! Started as `program decode-dicom`. Empty: handlebody-cli in the folder of the running program (in a
   //! build tree, ../../app or ../../../app from it).
   std::string program{};
-  double patience = 8;  //!< seconds for one image, and for every 100 MB of its file 5 more
+  //! Seconds of the processor's time for one image, and for every 100 MB of its file 5 more; 8 times as many
+  //! by the clock.
+  double patience = 8;
 };
 
 }  // namespace handlebody

@@ -71,13 +71,30 @@ TEST_CASE("a DICOM decoder that dies is a sentence with the file it worked on") 
 
 TEST_CASE("a DICOM decoder that hangs is stopped when patience is over") {
   const TemporaryFolder folder;
-  const DecoderSettings decoder{MISBEHAVING_DECODER, 0.3};
+  const DecoderSettings decoder{MISBEHAVING_DECODER, 0.2};
   const std::string path = folderCalled(folder, "hang");
   const double seconds =
       secondsOf([&] { CHECK_THROWS_AS(readVolume(path, {.decoder = decoder}), InputError); });
-  CHECK(seconds >= 0.3);
+  CHECK(seconds >= 0.2);
   CHECK(seconds < 10);
   expectRefused(decoder, path, "got stuck on " + path + "/slice-7");
+  expectNoChildren();
+}
+
+TEST_CASE("a DICOM decoder that computes without end has patience of the processor's time") {
+  const TemporaryFolder folder;
+  const DecoderSettings decoder{MISBEHAVING_DECODER, 0.3};
+  const std::string path = folderCalled(folder, "spin");
+  expectRefused(decoder, path, "got stuck on " + path + "/slice-7");
+  expectNoChildren();
+}
+
+TEST_CASE("a DICOM decoder that is kept from computing is waited for longer") {
+  const TemporaryFolder folder;
+  // It sleeps for more than that, as one that is not given a processor.
+  const DecoderSettings decoder{MISBEHAVING_DECODER, 0.5};
+  const std::string path = folderCalled(folder, "slow");
+  CHECK_THROWS_WITH(readVolume(path, {.decoder = decoder}), Contains("it was slow"));
   expectNoChildren();
 }
 

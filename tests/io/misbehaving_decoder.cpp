@@ -57,6 +57,12 @@ int main() {
   if (asked("eat")) eat(path);
   if (asked("nonsense")) tell({{"header", {{"grid", 7}}}});
   if (asked("noise") && write(kSocket, "\xff\xff\xff\xff rubbish", 12) != 12) return 7;
+  if (asked("slow")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    tell({{"input", path + ": it was slow."}});
+  }
+  if (asked("spin"))
+    for (volatile unsigned turns = 0;;) turns = turns + 1;
   if (asked("hang")) std::this_thread::sleep_for(std::chrono::seconds(60));
   return 0;
 }
