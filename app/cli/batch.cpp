@@ -131,6 +131,8 @@ class Batch {
     return numbers;
   }
 
+  const std::string& folder() const { return folder_.path(); }
+
   int sumUp() {
     writeSummary();
     if (!options_.quiet) printCounts();
@@ -339,15 +341,15 @@ std::vector<std::string> settingsOf(const BatchOptions& o) {
 }
 
 int submit(const BatchOptions& o) {
-  SlurmStudy study{o.study,
-                   std::filesystem::absolute(o.folder).lexically_normal().string(),
-                   folderOfPaths(o.study, o.defaults),
-                   settingsOf(o),
-                   o.slurmOptions,
-                   {},
-                   o.jobs};
+  SlurmStudy study;
+  study.study = o.study;
+  study.base = folderOfPaths(o.study, o.defaults);
+  study.settings = settingsOf(o);
+  study.options = o.slurmOptions;
+  study.jobs = o.jobs;
   {
     Batch batch(o, FolderUse::alone);
+    study.folder = batch.folder();
     study.rows = batch.rowsToDo();
     if (study.rows.empty()) return batch.sumUp();
   }  // the folder is free: tasks may begin at once

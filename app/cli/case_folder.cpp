@@ -152,6 +152,14 @@ void keepForeignFiles(const std::string& from, const std::string& to) {
   }
 }
 
+//! As the system finds it, whether it is there or not: `..` behind a link is not the folder that the link is
+//! in.
+std::string realPath(const std::string& path) {
+  std::error_code failed;
+  const fs::path whole = fs::absolute(path), real = fs::weakly_canonical(whole, failed);
+  return failed ? whole.string() : real.string();  // making it will say why
+}
+
 bool liesIn(const std::string& path, const std::string& folder) {
   const fs::path inner = fs::weakly_canonical(path), outer = fs::weakly_canonical(folder);
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
@@ -214,8 +222,7 @@ CaseHold::~CaseHold() {
   if (file_ >= 0) ::close(file_);
 }
 
-BatchFolder::BatchFolder(const std::string& path, FolderUse use)
-    : path_(fs::absolute(path).lexically_normal().string()) {
+BatchFolder::BatchFolder(const std::string& path, FolderUse use) : path_(realPath(path)) {
   if (path_.size() > 1 && path_.back() == '/') path_.pop_back();
   requireOwnOrNew(path_);
   for (const char* part : {"cases", "failed", ".holds"}) makeFolder(absolute(part));

@@ -48,6 +48,8 @@ class BatchFolder {
   //! folder is of somebody else.
   void requireApart(const std::string& study, const std::vector<StudyCase>& cases) const;
 
+  //! Absolute, without links.
+  const std::string& path() const { return path_; }
   //! Of the results; relative to this one.
   static std::string folderOf(const StudyCase& c) { return "cases/" + c.name; }
   //! Of the log of a failure; relative to this one.

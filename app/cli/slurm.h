@@ -9,7 +9,7 @@ namespace handlebody::cli {
 
 struct SlurmStudy {
   std::string study;                  //!< path of the CSV file
-  std::string folder;                 //!< of the results
+  std::string folder;                 //!< of the results, absolute
   std::string base;                   //!< where relative paths of the study begin, absolute
   std::vector<std::string> settings;  //!< of `batch`, for every task
   std::vector<std::string> options;   //!< of sbatch, as the user gave them

@@ -194,6 +194,28 @@ TEST_CASE("a study may be named without its folder", "[batch]") {
   CHECK(summary.exitCode == 0);
 }
 
+TEST_CASE("two full stops behind a link lead out of the folder that it leads to, as for the system",
+          "[batch]") {
+  const Study s;
+  const std::string text = "case,volume,seed\na,../scans/a.mha,\"" + s.phantom.seed + "\"\n";
+  for (const std::string folder : {"disk/study", "disk/scans", "home/scans"})
+    fs::create_directories(s.folder / folder);
+  fs::create_directory_symlink(s.folder / "disk/study", s.folder / "home/study");
+  fs::copy_file(s.phantom.path, s.folder / "disk/scans/whole.mha");
+  fs::create_symlink("whole.mha", s.folder / "disk/scans/a.mha");
+  makePhantomFile(s.folder, "home/scans/a.mha", {"--noise", "0.05"});
+  writeBytes(s.folder / "disk/study/study.csv", text);
+  const Outcome outcome =
+      runCli({"batch", s.folder / "home/study/study.csv", "-o", s.folder / "home/study/../out"});
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+  CHECK_FALSE(fs::exists(s.folder / "home/out"));
+  const auto report = nlohmann::json::parse(readBytes(s.folder / "disk/out/cases/a/report.json"));
+  const std::string read = report.at("input").at("path");
+  CHECK(fs::equivalent(read, s.folder / "disk/scans/a.mha"));
+  CHECK(fs::path(read).filename() == "a.mha");  // a link to a file keeps its name
+}
+
 TEST_CASE("the format and the folder of relative paths can be chosen for all rows", "[batch]") {
   const Study s;
   writeBytes(s.folder / "elsewhere.csv", kHeader + ",output\n" + s.row("a", ",") + s.row("b", ",b.obj"));

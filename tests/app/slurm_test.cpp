@@ -127,6 +127,19 @@ TEST_CASE("jobs look for relative paths where the batch was told to", "[slurm]")
   CHECK(fs::exists(s.file("a")));
 }
 
+TEST_CASE("jobs work in the folder that the system finds behind a link", "[slurm]") {
+  const SlurmStudy s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a"));
+  fs::create_directories(s.folder / "disk/study");
+  fs::create_directory(s.folder / "home");
+  fs::create_directory_symlink(s.folder / "disk/study", s.folder / "home/study");
+  const Outcome outcome = runCli({"batch", s.csv, "-o", s.folder / "home/study/../out", "--slurm"});
+  INFO(outcome.err);
+  CHECK(outcome.exitCode == 0);
+  CHECK(fs::exists(s.folder / "disk/out/cases/a/mesh.stl"));
+  CHECK_FALSE(fs::exists(s.folder / "home/out"));
+}
+
 TEST_CASE("more rows than an array of Slurm holds are several arrays", "[slurm]") {
   const SlurmStudy s;
   std::string text = kHeader + "\n";
