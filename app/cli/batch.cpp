@@ -110,20 +110,23 @@ class Batch {
     return row.status == CaseStatus::done ? kDone : kIncomplete;
   }
 
-  //! What has become of the cases that were run one by one.
+  //! What has become of the cases that were run one by one. Interrupted, it leaves the summary as it is.
   int tell() {
     const DeferSignals stopCleanly;
     findDone();
+    if (DeferSignals::isPending()) return kIncomplete;  // not all that is done has been found
     for (std::size_t i = 0; i < cases_.size(); ++i)
       if (summary_.rows[i].status == CaseStatus::notRun) tellUnfinished(i);
     return sumUp();
   }
 
   //! Numbers of the rows, from 1, that are neither done nor refused; the summary tells the others.
+  //! Interrupted, it leaves the summary as it is, and the signal ends the program.
   std::vector<int> rowsToDo() {
     const DeferSignals stopCleanly;
     sayRefused();
     findDone();
+    if (DeferSignals::isPending()) return {};
     writeSummary();
     std::vector<int> numbers;
     for (std::size_t i = 0; i < cases_.size(); ++i)

@@ -62,6 +62,14 @@ inline void expectWholeResults(const Study& study, std::size_t most) {
   CHECK(count <= most);
 }
 
+//! The process has a handler of its own for it: `batch` has read its table, and ends when it is ready to.
+inline bool catches(int process, int signal) {
+  const std::string status = readBytes("/proc/" + std::to_string(process) + "/status"), key = "SigCgt:";
+  const std::size_t at = status.find(key);
+  if (at == std::string::npos) return false;
+  return (std::stoull(status.substr(at + key.size()), nullptr, 16) >> (signal - 1) & 1U) != 0;
+}
+
 inline bool waitUntil(const std::function<bool()>& condition, int seconds = 30) {
   for (int i = 0; i < 500 * seconds && !condition(); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

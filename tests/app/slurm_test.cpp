@@ -61,6 +61,20 @@ struct SlurmStudy : Study {
   Outcome runTask(int row) const { return run({"--only-row", std::to_string(row)}); }
 };
 
+//! A first row whose results are there and whose volume takes a second to hash, so that the batch can be met
+//! while it looks for what is done; and one that is done, behind it.
+void makeSlowToFind(const Study& s) {
+  writeBytes(s.csv, kHeader + "\n" + s.row("slow") + s.row("a"));
+  REQUIRE(s.run({"--quiet"}).exitCode == 0);
+  constexpr std::uintmax_t kVoxels = 640ull * 640 * 640;  // they take no place on the disk
+  const std::string big = s.folder / "big.mha";
+  writeBytes(big,
+             "ObjectType = Image\nNDims = 3\nDimSize = 640 640 640\nElementType = MET_UCHAR\n"
+             "ElementDataFile = LOCAL\n");
+  fs::resize_file(big, fs::file_size(big) + kVoxels);
+  writeBytes(s.csv, kHeader + "\nslow,big.mha,\"" + s.phantom.seed + "\"\n" + s.row("a"));
+}
+
 std::string threeRows(const Study& s) { return kHeader + "\n" + s.row("a") + s.row("b") + s.row("c"); }
 
 }  // namespace
@@ -111,6 +125,21 @@ TEST_CASE("jobs run the study as it was when it was submitted", "[slurm]") {
   REQUIRE(system(("SLURM_ARRAY_TASK_ID=2 sh " + s.bin.path() + "/script-101").c_str()) == 0);
   CHECK(fs::exists(s.file("b")));
   CHECK_FALSE(fs::exists(s.file("other")));
+}
+
+TEST_CASE("a summary stays as it was when its making, or a submission, is interrupted", "[slurm]") {
+  const SlurmStudy s;
+  makeSlowToFind(s);
+  const std::string before = readBytes(s.out + "/summary.json");
+  for (const std::string option : {"--only-summary", "--slurm"}) {
+    INFO(option);
+    RunningCli batch(s.arguments({option}));
+    REQUIRE(waitUntil([&] { return catches(batch.process(), SIGTERM); }));
+    kill(batch.process(), SIGTERM);
+    CHECK(batch.wait().exitCode == -SIGTERM);
+    CHECK(readBytes(s.out + "/summary.json") == before);
+  }
+  CHECK_FALSE(s.isCalled(101));
 }
 
 TEST_CASE("jobs look for relative paths where the batch was told to", "[slurm]") {
