@@ -8,6 +8,7 @@
 #include <list>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "app/cli/case_folder.h"
 #include "app/cli/command.h"
@@ -74,9 +75,8 @@ class Batch {
     findDone();
     if (DeferSignals::isPending()) return kIncomplete;  // not all that is done has been found
     while (startJobs(), !jobs_.empty() && !DeferSignals::isPending()) {
-      if (collect()) writeTables();
+      writeMeanwhile(collect());
       std::this_thread::sleep_for(kPause);
-      if (Clock::now() - written_ > std::chrono::seconds(10)) writeSummary();
     }
     stopJobs();
     return sumUp();
@@ -303,6 +303,17 @@ class Batch {
                  isGood ? "" : why.c_str());
   }
 
+  //! While cases are at work: what cannot be written now, on a full disk, say, is no reason to end them. It
+  //! is written again in the end.
+  void writeMeanwhile(bool isNew) try {
+    if (isNew) writeTables();
+    if (Clock::now() - written_ > std::chrono::seconds(10)) writeSummary();
+  } catch (const OutputError& error) {
+    written_ = Clock::now();  // not at every turn
+    if (!std::exchange(isWriteFaultTold_, true))
+      std::fprintf(stderr, "%s The cases go on; it is tried again.\n", error.what());
+  }
+
   //! After every case.
   void writeTables() {
     writeTextAtomically(folder_.absolute("summary.csv"), summaryCsv(summary_));
@@ -334,6 +345,7 @@ class Batch {
   std::size_t next_ = 0;
   int kept_ = 0;
   Clock::time_point written_ = Clock::now();
+  bool isWriteFaultTold_ = false;
 };
 
 //! The settings of a whole batch, for each of its tasks.

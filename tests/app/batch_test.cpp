@@ -165,6 +165,27 @@ TEST_CASE("the tables tell a case as soon as it has ended", "[batch]") {
   kill(batch.process(), SIGKILL);
 }
 
+TEST_CASE("a table that cannot be written for a while is told once, and ends no case", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a") + s.row("b") + s.row("c"));
+  const std::string table = s.out + "/summary.csv";
+  REQUIRE(s.run({"--only-summary"}).exitCode == kIncomplete);  // the folder is a batch's
+  fs::remove(table);
+  fs::create_directory(table);
+  RunningCli batch(s.arguments());
+  REQUIRE(waitUntil([&] { return fs::exists(s.file("b", "case.json")); }));
+  batch.waitForChild();  // the third: the table has been tried after the first and the second
+  fs::remove(table);
+  const Outcome outcome = batch.wait();
+  INFO(outcome.err);
+  CHECK(outcome.exitCode == 0);
+  const std::size_t told = outcome.err.find("summary.csv: ");
+  CHECK(told != std::string::npos);
+  CHECK(outcome.err.find("summary.csv: ", told + 1) == std::string::npos);
+  CHECK(fs::is_regular_file(table));
+  expectWholeResults(s, 3);
+}
+
 TEST_CASE("a study that cannot be told is refused whole, before anything is made", "[batch]") {
   const Study s;
   for (const std::string text :
