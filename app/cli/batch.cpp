@@ -58,7 +58,8 @@ class Batch {
   Batch(const BatchOptions& options, FolderUse use)
       : options_(options),
         jobsAtATime_(std::max(options.jobs, 1)),
-        cases_(readStudy(options.study, options.defaults)),
+        text_(readFile(options.study)),
+        cases_(readStudy(text_, options.study, options.defaults)),
         folder_(options.folder, use) {
     folder_.requireApart(options.study, cases_);
     summary_.study = std::filesystem::path(options.study).filename().string();
@@ -134,6 +135,7 @@ class Batch {
     return numbers;
   }
 
+  const std::string& text() const { return text_; }
   const std::string& folder() const { return folder_.path(); }
 
   int sumUp() {
@@ -337,6 +339,7 @@ class Batch {
 
   const BatchOptions& options_;
   int jobsAtATime_;
+  std::string text_;  // of the study, as its rows were read
   std::vector<StudyCase> cases_;
   BatchFolder folder_;
   Summary summary_;
@@ -364,6 +367,7 @@ int submit(const BatchOptions& o) {
   study.jobs = o.jobs;
   {
     Batch batch(o, FolderUse::alone);
+    study.text = batch.text();
     study.folder = batch.folder();
     study.rows = batch.rowsToDo();
     if (study.rows.empty()) return batch.sumUp();

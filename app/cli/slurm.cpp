@@ -121,9 +121,9 @@ class Submission {
     if (!found) throw UsageError("--slurm: there is no program sbatch in the folders of PATH.");
     sbatch_ = *found;
     folder_ = newFolder(study.folder);
-    // The jobs run later: the study is as it was when they were submitted.
+    // The jobs run later: the study is as it was when its rows were read.
     copy_ = folder_ + "/" + fs::path(study.study).filename().string();
-    writeTextAtomically(copy_, readFile(study.study));
+    writeTextAtomically(copy_, study.text);
   }
 
   SlurmJobs submit() {

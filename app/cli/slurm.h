@@ -9,6 +9,7 @@ namespace handlebody::cli {
 
 struct SlurmStudy {
   std::string study;                  //!< path of the CSV file
+  std::string text;                   //!< what was in it when the rows were numbered
   std::string folder;                 //!< of the results, absolute
   std::string base;                   //!< where relative paths of the study begin, absolute
   std::vector<std::string> settings;  //!< of `batch`, for every task

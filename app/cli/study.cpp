@@ -393,8 +393,9 @@ std::string folderOfPaths(const std::string& path, const StudyDefaults& defaults
   return folder.string();
 }
 
-std::vector<StudyCase> readStudy(const std::string& path, const StudyDefaults& defaults) {
-  const std::vector<CsvRow> rows = parseCsv(readFile(path), path);
+std::vector<StudyCase> readStudy(const std::string& text, const std::string& path,
+                                 const StudyDefaults& defaults) {
+  const std::vector<CsvRow> rows = parseCsv(text, path);
   if (rows.empty()) throw InputError(path + ": it is empty; its first line names the columns.");
   const std::vector<Column> columns = readHeader(rows[0], path);
   if (rows.size() == 1) throw InputError(path + ": it has no rows under the names of the columns.");

@@ -50,9 +50,10 @@ struct StudyDefaults {
 //! Where relative paths of the study at `path` begin, absolute.
 std::string folderOfPaths(const std::string& path, const StudyDefaults& defaults);
 
-//! Reads and checks all rows. Throws InputError if there are no rows to tell: the file cannot be read, a
-//! column is not known or missing, a quotation mark is not closed.
-std::vector<StudyCase> readStudy(const std::string& path, const StudyDefaults& defaults);
+//! Reads and checks all rows of `text`, what is in the file at `path`. Throws InputError if there are no rows
+//! to tell: a column is not known or missing, a quotation mark is not closed.
+std::vector<StudyCase> readStudy(const std::string& text, const std::string& path,
+                                 const StudyDefaults& defaults);
 
 //! Seconds, and megabytes as bytes; 0: no limit. Throw UsageError that names the option.
 double parseTimeLimit(const std::string& option, const std::string& text);

@@ -127,6 +127,20 @@ TEST_CASE("jobs run the study as it was when it was submitted", "[slurm]") {
   CHECK_FALSE(fs::exists(s.file("other")));
 }
 
+TEST_CASE("jobs run the table whose rows were numbered, even if it is changed before they are submitted",
+          "[slurm]") {
+  const SlurmStudy s;
+  makeSlowToFind(s);
+  writeBytes(s.bin / "hold", "");
+  const std::string text = readBytes(s.csv);
+  RunningCli batch(s.arguments({"--slurm"}));
+  REQUIRE(waitUntil([&] { return catches(batch.process(), SIGTERM); }));
+  writeBytes(s.csv, kHeader + "\n" + s.row("other") + text.substr(text.find('\n') + 1));
+  CHECK(batch.wait().exitCode == 0);
+  CHECK(s.call(101).find("--array=1\n") != std::string::npos);
+  CHECK(readBytes(s.out + "/slurm/1/study.csv") == text);
+}
+
 TEST_CASE("a summary stays as it was when its making, or a submission, is interrupted", "[slurm]") {
   const SlurmStudy s;
   makeSlowToFind(s);
