@@ -358,6 +358,16 @@ std::vector<std::string> settingsOf(const BatchOptions& o) {
           "--format=" + o.defaults.format};
 }
 
+//! Whoever interrupts it wants the numbers even of a quiet one.
+void tellSubmitted(const BatchOptions& o, const SlurmStudy& study, const SlurmJobs& jobs) {
+  if (o.quiet && !DeferSignals::isPending()) return;
+  std::string numbers;
+  for (const std::string& array : jobs.arrays) numbers += (numbers.empty() ? "" : ", ") + array;
+  std::printf("%zu cases submitted as job %s, their summary as job %s: %s/index.html\n", study.rows.size(),
+              numbers.c_str(), jobs.summary.c_str(), study.folder.c_str());
+  std::fflush(stdout);  // a signal that came ends the program without that
+}
+
 int submit(const BatchOptions& o) {
   SlurmStudy study;
   study.study = o.study;
@@ -372,13 +382,15 @@ int submit(const BatchOptions& o) {
     study.rows = batch.rowsToDo();
     if (study.rows.empty()) return batch.sumUp();
   }  // the folder is free: tasks may begin at once
-  const SlurmJobs jobs = submitToSlurm(study);
-  if (o.quiet) return kDone;
-  std::string numbers;
-  for (const std::string& array : jobs.arrays) numbers += (numbers.empty() ? "" : ", ") + array;
-  std::printf("%zu cases submitted as job %s, their summary as job %s: %s/index.html\n", study.rows.size(),
-              numbers.c_str(), jobs.summary.c_str(), study.folder.c_str());
-  return kDone;
+  const DeferSignals sayFirst;
+  try {
+    tellSubmitted(o, study, submitToSlurm(study));
+    return kDone;
+  } catch (const UsageError& error) {
+    if (!DeferSignals::isPending()) throw;
+    std::fprintf(stderr, "handlebody-cli: %s\n", error.what());  // nobody else will: the signal ends us here
+    return kUsage;
+  }
 }
 
 int perform(const BatchOptions& o) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "app/cli/csv.h"
+#include "app/cli/outputs.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/tetrahedra/mesher_process.h"
@@ -104,6 +105,9 @@ std::string sbatch(const std::string& program, std::vector<std::string> words, c
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  if (WIFSIGNALED(status))
+    throw UsageError(std::string("--slurm: sbatch was ended by a signal (") + ::strsignal(WTERMSIG(status)) +
+                     "); `squeue` tells whether it had submitted its job");
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw UsageError("--slurm: sbatch refused the job, and said: " + said(err));
   const std::string answer = said(out);
@@ -129,7 +133,10 @@ class Submission {
   SlurmJobs submit() {
     SlurmJobs jobs;
     try {
-      for (std::size_t i = 0; i < study_.rows.size();) i = submitArray(i, jobs);
+      for (std::size_t i = 0; i < study_.rows.size();) {
+        i = submitArray(i, jobs);
+        if (DeferSignals::isPending()) throw UsageError("--slurm: it was interrupted.");
+      }
       jobs.summary = submitSummary(jobs);
     } catch (const UsageError& error) {
       if (jobs.arrays.empty()) throw;

@@ -29,7 +29,8 @@ std::vector<std::string> withSlurmOptions(const std::vector<std::string>& argume
 
 //! Writes the scripts and a copy of the study to a new folder in DIR/slurm and gives them to sbatch.
 //! Precondition: there are rows. Throws UsageError if an option would undo that, there is no sbatch or it
-//! refuses (says what has been submitted before that), OutputError.
+//! refuses or a signal has come that is held back (DeferSignals): says what has been submitted before that.
+//! Throws OutputError.
 SlurmJobs submitToSlurm(const SlurmStudy& study);
 
 }  // namespace handlebody::cli

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 //! Notes how it was called, and runs the jobs at once, unless there is a file `hold`. With a file `refuse`
-//! that holds N it refuses the N-th job.
+//! that holds N it refuses the N-th job; `interrupt` and `die`: then it sends the batch, or itself, a signal.
 const std::string kSbatch = R"sh(#!/bin/bash
 cd "$(dirname "$0")"
 n=$(($(cat count 2>/dev/null || echo 100) + 1))
@@ -22,6 +22,8 @@ if [ -e refuse ] && [ "$n" -ge "$(cat refuse)" ]; then
   echo "sbatch: error: Batch job submission failed: Invalid partition name specified" >&2
   exit 1
 fi
+[ "$n" = "$(cat die 2>/dev/null)" ] && kill -KILL $$
+[ "$n" = "$(cat interrupt 2>/dev/null)" ] && kill -TERM $PPID
 echo "$n" > count
 printf '%s\n' "$@" > "call-$n"
 for word in "$@"; do
@@ -228,6 +230,31 @@ TEST_CASE("what cannot be submitted is a sentence", "[slurm]") {
   setenv("PATH", s.folder.path().c_str(), 1);
   CHECK(refusal({"--slurm"}).find("no program sbatch") != std::string::npos);
   CHECK(refusal({"--only-row", "9"}).find("3 rows") != std::string::npos);
+}
+
+TEST_CASE("a submission that is interrupted tells what it has submitted", "[slurm]") {
+  const SlurmStudy s;
+  writeBytes(s.bin / "hold", "");
+  writeBytes(s.csv, threeRows(s));
+  SECTION("before the summary") {
+    writeBytes(s.bin / "interrupt", "101");
+    const Outcome outcome = s.run({"--slurm"});
+    CHECK(outcome.exitCode == -SIGTERM);
+    CHECK_THAT(outcome.err, Contains("interrupted") && Contains("Submitted before that: 101"));
+    CHECK_FALSE(s.isCalled(102));
+  }
+  SECTION("when all is submitted") {
+    writeBytes(s.bin / "interrupt", "102");
+    const Outcome outcome = s.run({"--quiet", "--slurm"});
+    CHECK(outcome.exitCode == -SIGTERM);
+    CHECK(outcome.out.find("3 cases submitted as job 101, their summary as job 102") == 0);
+  }
+  SECTION("sbatch alone, as it does not hold signals back") {
+    writeBytes(s.bin / "die", "102");
+    const Outcome outcome = s.run({"--slurm"});
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains("ended by a signal") && Contains("Submitted before that: 101"));
+  }
 }
 
 TEST_CASE("a case is one process's at a time, and is not done twice", "[slurm]") {
