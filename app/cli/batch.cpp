@@ -59,9 +59,9 @@ class Batch {
       : options_(options),
         jobsAtATime_(std::max(options.jobs, 1)),
         text_(readFile(options.study)),
-        cases_(readStudy(text_, options.study, options.defaults)),
+        cases_(casesOf(options, text_)),
         folder_(options.folder, use) {
-    folder_.requireApart(options.study, cases_);
+    folder_.requireOwn(cases_);
     summary_.study = std::filesystem::path(options.study).filename().string();
     summary_.version = HANDLEBODY_VERSION;
     for (const StudyCase& c : cases_) {
@@ -145,6 +145,13 @@ class Batch {
   }
 
  private:
+  //! Before anything is made in the folder.
+  static std::vector<StudyCase> casesOf(const BatchOptions& options, const std::string& text) {
+    std::vector<StudyCase> cases = readStudy(text, options.study, options.defaults);
+    BatchFolder::requireApart(options.folder, options.study, cases);
+    return cases;
+  }
+
   static SummaryRow rowOf(const StudyCase& c) {
     SummaryRow row;
     row.line = c.line;

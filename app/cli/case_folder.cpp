@@ -157,12 +157,25 @@ void keepForeignFiles(const std::string& from, const std::string& to) {
 std::string realPath(const std::string& path) {
   std::error_code failed;
   const fs::path whole = fs::absolute(path), real = fs::weakly_canonical(whole, failed);
-  return failed ? whole.string() : real.string();  // making it will say why
+  std::string text = failed ? whole.string() : real.string();  // making it will say why
+  if (text.size() > 1 && text.back() == '/') text.pop_back();
+  return text;
 }
 
 bool liesIn(const std::string& path, const std::string& folder) {
   const fs::path inner = fs::weakly_canonical(path), outer = fs::weakly_canonical(folder);
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
+//! All files of a folder of DICOM images belong to the volume: with the batch's among them it would be
+//! another one each time, and never done.
+void requireInputApart(const std::string& folder, const std::string& input) {
+  if (input.empty()) return;
+  for (const char* part : {"/cases", "/failed"})
+    if (liesIn(input, folder + part))
+      throw UsageError(input + ": an input must not lie in " + folder + part + ", where the batch writes.");
+  if (realPath(input) == folder)
+    throw UsageError(input + ": an input must not be the folder where the batch writes. Choose another one.");
 }
 
 //! In one step where the file system can swap names; else what was there is away for a moment. It is then
@@ -223,7 +236,6 @@ CaseHold::~CaseHold() {
 }
 
 BatchFolder::BatchFolder(const std::string& path, FolderUse use) : path_(realPath(path)) {
-  if (path_.size() > 1 && path_.back() == '/') path_.pop_back();
   requireOwnOrNew(path_);
   for (const char* part : {"cases", "failed", ".holds"}) makeFolder(absolute(part));
   const bool isShared = use == FolderUse::shared;
@@ -241,19 +253,20 @@ BatchFolder::BatchFolder(const std::string& path, FolderUse use) : path_(realPat
 
 BatchFolder::~BatchFolder() { ::close(lock_); }
 
-void BatchFolder::requireApart(const std::string& study, const std::vector<StudyCase>& cases) const {
+void BatchFolder::requireApart(const std::string& path, const std::string& study,
+                               const std::vector<StudyCase>& cases) {
+  const std::string folder = realPath(path);
   for (const char* table : kTables)
-    if (fs::weakly_canonical(fs::absolute(study)) == fs::weakly_canonical(absolute(table)))
-      throw UsageError(study + ": a batch in " + path_ + " would replace it. Choose another folder.");
-  const auto require = [&](const std::string& input) {
-    for (const char* part : {"cases", "failed"})
-      if (!input.empty() && liesIn(input, absolute(part)))
-        throw UsageError(input + ": an input must not lie in " + absolute(part) +
-                         ", where the batch writes.");
-  };
+    if (realPath(study) == realPath(folder + "/" + table))
+      throw UsageError(study + ": a batch in " + folder + " would replace it. Choose another folder.");
   for (const StudyCase& c : cases) {
-    require(c.volumePath);
-    for (const StudyInput& input : c.inputs) require(input.path);
+    requireInputApart(folder, c.volumePath);
+    for (const StudyInput& input : c.inputs) requireInputApart(folder, input.path);
+  }
+}
+
+void BatchFolder::requireOwn(const std::vector<StudyCase>& cases) const {
+  for (const StudyCase& c : cases) {
     const std::string folder = absolute(folderOf(c));
     if (c.fault.empty() && !isEmptyFolder(folder) && !hasResults(c))
       throw UsageError(

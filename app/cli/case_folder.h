@@ -44,9 +44,12 @@ class BatchFolder {
   BatchFolder(const BatchFolder&) = delete;
   BatchFolder& operator=(const BatchFolder&) = delete;
 
-  //! Throws UsageError if the study's file or an input of a case is what this batch writes, or a case's
-  //! folder is of somebody else.
-  void requireApart(const std::string& study, const std::vector<StudyCase>& cases) const;
+  //! Throws UsageError if the study's file or an input of a case is what a batch in the folder `path` writes,
+  //! or an input is that folder. It need not be there yet.
+  static void requireApart(const std::string& path, const std::string& study,
+                           const std::vector<StudyCase>& cases);
+  //! Throws UsageError if a case's folder is of somebody else.
+  void requireOwn(const std::vector<StudyCase>& cases) const;
 
   //! Absolute, without links.
   const std::string& path() const { return path_; }

@@ -509,6 +509,22 @@ TEST_CASE("a study in the folder of its results does not bear the name of a tabl
   CHECK(readBytes(study) == text);
 }
 
+TEST_CASE("a batch does not write into the folder that is the volume of a row", "[batch]") {
+  const Study s;
+  const std::string scan = s.folder / "scan";
+  fs::create_directory(scan);
+  writeBytes(scan + "/slice.dcm", "a file of the volume");
+  fs::create_directory_symlink(scan, s.folder / "link");
+  for (const std::string volume : {"scan", "scan/", "link"}) {
+    INFO(volume);
+    writeBytes(s.csv, kHeader + "\na," + volume + ",\"1,1,1\"\n");
+    const Outcome outcome = runCli({"batch", s.csv, "-o", scan});
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains("an input must not be the folder where the batch writes"));
+    CHECK(std::distance(fs::directory_iterator(scan), {}) == 1);  // nothing was made
+  }
+}
+
 TEST_CASE("what somebody has put beside the results of a case stays when they are made anew", "[batch]") {
   const Study s;
   writeBytes(s.csv, kHeader + ",curvature\n" + s.row("a", ",0.2"));
