@@ -106,6 +106,7 @@ int main(int argc, char** argv) try {
   handlebody::cli::keepFreedMemory();
   if (!isDecoder) handlebody::cli::reserveHeap();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of writing, told with the file's name
+  std::signal(SIGCHLD, SIG_DFL);  // ignored, as some parents hand it down, no end of a process is ever told
   return handlebody::cli::parseAndPerform(argc, argv);
 } catch (const std::exception& error) {  // no memory for the options themselves
   std::fprintf(stderr, "handlebody-cli: internal error: %s\n", error.what());

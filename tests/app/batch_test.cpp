@@ -341,6 +341,17 @@ TEST_CASE("a case that hangs is stopped at its time limit, and the others run", 
   expectWholeResults(s, 2);
 }
 
+TEST_CASE("a batch sees its cases end where its parent takes no note of ends", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a"));
+  const auto before = signal(SIGCHLD, SIG_IGN);  // a program that is started has it so, too
+  RunningCli batch(s.arguments());
+  signal(SIGCHLD, before);
+  REQUIRE(waitUntil([&] { return fs::exists(s.out + "/index.html"); }));
+  CHECK(batch.wait().exitCode == 0);
+  expectWholeResults(s, 1);
+}
+
 TEST_CASE("a case that is killed or has no memory is a row with its sentence", "[batch]") {
   const Study s;
   // More voxels than "full" may have, which takes no place on the disk.
