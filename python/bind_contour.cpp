@@ -4,6 +4,7 @@
 
 #include "core/errors.h"
 #include "core/io/report/measures_json.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 #include "python/bind.h"
 #include "python/convert.h"

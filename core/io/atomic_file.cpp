@@ -79,8 +79,8 @@ std::optional<mode_t> permissionsAt(const std::string& target, const std::string
 //! of a temporary file already is of another process, which has the same number in another container, or was
 //! left by one that was killed: it stays.
 Temporary create(const std::string& target, const std::string& path, mode_t permissions) {
-  constexpr int kMostInTheWay = 10000;
-  for (int i = 0; i < kMostInTheWay; ++i) {
+  constexpr int kMaxInTheWay = 10000;
+  for (int i = 0; i < kMaxInTheWay; ++i) {
     const std::string name = temporaryName(target, path);
     const int file = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, permissions);
     if (file >= 0) {
@@ -139,9 +139,9 @@ Finding systemFinding(int error) {
 }
 
 std::string behindLinks(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as many as Linux follows
+  constexpr int kMaxLinks = 40;  // as many as Linux follows
   fs::path at(path);
-  for (int i = 0; i < kMostLinks; ++i) {
+  for (int i = 0; i < kMaxLinks; ++i) {
     std::error_code isNone;
     const fs::path next = fs::read_symlink(at, isNone);
     if (isNone) break;
