@@ -75,6 +75,7 @@ class Batch {
     sayRefused();
     findDone();
     if (DeferSignals::isPending()) return kIncomplete;  // not all that is done has been found
+    forgetFailures();
     while (startJobs(), !jobs_.empty() && !DeferSignals::isPending()) {
       writeMeanwhile(collect());
       std::this_thread::sleep_for(kPause);
@@ -97,7 +98,10 @@ class Batch {
     }
     const auto hold = folder_.hold(cases_[i]);
     if (!hold->isMine()) throw UsageError("case '" + row.name + "': another process is at work on it.");
-    if (folder_.isDone(cases_[i]) && showResult(i)) return kDone;
+    if (folder_.isDone(cases_[i]) && showResult(i)) {
+      folder_.forgetFailure(cases_[i]);
+      return kDone;
+    }
     startJob(i);
     while (!jobs_.empty() && !DeferSignals::isPending()) {
       collect();
@@ -128,6 +132,7 @@ class Batch {
     sayRefused();
     findDone();
     if (DeferSignals::isPending()) return {};
+    forgetFailures();
     writeSummary();
     std::vector<int> numbers;
     for (std::size_t i = 0; i < cases_.size(); ++i)
@@ -176,6 +181,12 @@ class Batch {
     });
     for (std::size_t i = 0; i < cases_.size(); ++i)
       if (done[i] != 0) kept_ += showResult(i) ? 1 : 0;
+  }
+
+  //! What is done may have failed later with other options. Precondition: nobody else is at work.
+  void forgetFailures() const {
+    for (std::size_t i = 0; i < cases_.size(); ++i)
+      if (summary_.rows[i].status == CaseStatus::done) folder_.forgetFailure(cases_[i]);
   }
 
   //! False if there is none that can be read.
@@ -278,7 +289,8 @@ class Batch {
     row.message = reasons_[i] = why;
     if (folder_.hasResults(cases_[i]))
       row.message += " (Its folder holds the result of an earlier run, of other inputs or options.)";
-    row.log = cases_[i].isAnonymous ? "" : BatchFolder::logOf(cases_[i]);
+    const bool hasLog = !cases_[i].isAnonymous && folder_.hasLogOfFailure(cases_[i]);
+    row.log = hasLog ? BatchFolder::logOf(cases_[i]) : "";
   }
 
   void tellUnfinished(std::size_t i) {

@@ -324,22 +324,31 @@ void BatchFolder::finish(const StudyCase& c, const CaseEnd& end) const {
   putInPlace(folder, target);
   flushFolder(absolute("cases"));
   fs::remove_all(folder, ignored);  // what was there before
-  fs::remove(absolute(logOf(c)), ignored);
-  fs::remove(absolute(failureRecordOf(c)), ignored);
+  forgetFailure(c);
 }
 
 void BatchFolder::fail(const StudyCase& c, const std::string& why) const {
-  std::error_code ignored;
-  if (c.isAnonymous)
-    fs::remove(absolute(logOf(c)), ignored);  // of a run that was not
-  else
-    fs::rename(logOfWork(c), absolute(logOf(c)), ignored);
+  std::error_code failed, ignored;
+  if (!c.isAnonymous) fs::rename(logOfWork(c), absolute(logOf(c)), failed);
+  // Of a run that was not anonymous, or an earlier one.
+  if (c.isAnonymous || failed) fs::remove(absolute(logOf(c)), ignored);
   abandon(c);
   const Json record = {{"case", c.name}, {"volume", c.volume}, {"request", requestOf(c)}, {"message", why}};
   try {
     writeTextAtomically(absolute(failureRecordOf(c)), jsonText(record));
   } catch (const OutputError&) {  // a full disk, say: who runs it has the sentence
   }
+}
+
+void BatchFolder::forgetFailure(const StudyCase& c) const {
+  std::error_code ignored;
+  fs::remove(absolute(logOf(c)), ignored);
+  fs::remove(absolute(failureRecordOf(c)), ignored);
+}
+
+bool BatchFolder::hasLogOfFailure(const StudyCase& c) const {
+  std::error_code failed;
+  return fs::exists(absolute(logOf(c)), failed);
 }
 
 std::string BatchFolder::failureOf(const StudyCase& c) const {

@@ -78,6 +78,10 @@ class BatchFolder {
   //! Keeps its log (unless it is anonymous) as that of a failure with the sentence why, and takes the rest
   //! away. Never throws.
   void fail(const StudyCase& c, const std::string& why) const;
+  //! Takes away what is kept of a failure: there is a result, which was made after it or of other options.
+  void forgetFailure(const StudyCase& c) const;
+  //! The last failure has left a log.
+  bool hasLogOfFailure(const StudyCase& c) const;
   //! The sentence of the last failure of this request; empty if there is none.
   std::string failureOf(const StudyCase& c) const;
   //! Somebody has begun it, and neither finished nor failed: is at work on it, or was killed.

@@ -374,6 +374,37 @@ TEST_CASE("a case that is killed or has no memory is a row with its sentence", "
   expectWholeResults(s, 4);
 }
 
+TEST_CASE("the log of a failure is that of the last, and goes when there is a result", "[batch]") {
+  const Study s;
+  const std::string log = s.out + "/failed/a.txt";
+  const auto runKilled = [&](bool hasLog) {
+    RunningCli batch(s.arguments());
+    const int child = batch.waitForChild();
+    kill(child, SIGSTOP);
+    if (!hasLog) fs::remove(s.out + "/cases/.tmp-a/log.txt");
+    kill(child, SIGKILL);
+    CHECK(batch.wait().exitCode == kIncomplete);
+  };
+  writeBytes(s.csv, kHeader + ",smoothing\n" + s.row("a", ",0.5"));
+  REQUIRE(s.run().exitCode == 0);
+  writeBytes(s.csv, kHeader + ",smoothing\n" + s.row("a", ",0.4"));
+  runKilled(true);
+  CHECK(s.row(0).at("log") == "failed/a.txt");
+  CHECK(fs::exists(log));
+  SECTION("one that has left none") {
+    runKilled(false);
+    CHECK(s.row(0).at("status") == "failed");
+    CHECK_FALSE(s.row(0).contains("log"));
+    CHECK_FALSE(fs::exists(log));  // that was another one's
+  }
+  SECTION("the options are again those of the result that is there") {
+    writeBytes(s.csv, kHeader + ",smoothing\n" + s.row("a", ",0.5"));
+    SECTION("in a batch") { CHECK(s.run().out.find("1 done (1 of them before)") == 0); }
+    SECTION("as one row") { CHECK(s.run({"--only-row", "1"}).exitCode == 0); }
+    CHECK(fs::is_empty(s.out + "/failed"));
+  }
+}
+
 TEST_CASE("a case does not outlive a batch that is killed", "[batch]") {
   const Study s;
   writeBytes(s.csv, kHeader + "\n" + s.row("a"));
