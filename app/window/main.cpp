@@ -68,6 +68,7 @@ int showWindow(const Options& options) {
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of writing, told with the file's name
+  std::signal(SIGCHLD, SIG_DFL);  // ignored, as some parents hand it down, no end of a process is ever told
   handlebody::app::Options options;
   if (const auto code = handlebody::app::readOptions(argc, argv, options)) return *code;
   qInstallMessageHandler(handlebody::app::endOnFatal);
