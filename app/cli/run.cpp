@@ -125,6 +125,16 @@ void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inp
   checkWritable(files, inputs);
 }
 
+void checkNames(const std::vector<ObjectLabel>& objects, const VolumeInfo& info, const RunOutputs& outputs) {
+  for (const ResultFile& file : outputs.files) {
+    if (!isDicomSegmentationPath(file.path) && !isDicomStlPath(file.path)) continue;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      if (file.object < 0 || static_cast<int>(i) == file.object) names.push_back(objects[i].name);
+    if (info.dicom) requireDicomNames(names, *info.dicom, outputs.content, file.path);
+  }
+}
+
 double Stopwatch::lap() {
   const auto now = std::chrono::steady_clock::now();
   const std::chrono::duration<double> seconds = now - last_;
@@ -343,6 +353,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing: a label map needs it
   if (!outputs.picture.empty()) shown = loaded.volume;
   loaded.session.label = chosenLabel(outputs.object, loaded.session.label);
+  checkNames({loaded.session.label}, loaded.info, outputs);
   loadStarts(loaded.session);
   GrownObject grown = grow(std::move(loaded), outputs);
   Stopwatch watch;

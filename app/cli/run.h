@@ -57,6 +57,10 @@ void assignResults(RunOutputs& outputs, const std::vector<ObjectLabel>& objects)
 void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs,
                   std::vector<OutputFile> files = {});
 
+//! Before the growth: throws OutputError, UsageError if a DICOM file of -o cannot hold the names of its
+//! objects.
+void checkNames(const std::vector<ObjectLabel>& objects, const VolumeInfo& info, const RunOutputs& outputs);
+
 //! Seconds since it was made or last asked.
 class Stopwatch {
  public:

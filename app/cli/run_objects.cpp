@@ -94,6 +94,9 @@ std::vector<GrownObject> growObjects(LoadedSession first, std::vector<Session> o
   std::vector<Session*> all{&first.session};
   for (Session& session : others) all.push_back(&session);
   if (outputs.sensitivity.runs > 0) requireAllRepeatable(all);
+  std::vector<ObjectLabel> labels;
+  for (const Session* session : all) labels.push_back(session->label);
+  checkNames(labels, info, outputs);
   loadStarts(all);
   std::vector<GrownObject> grown;
   std::vector<WallObject> finished;

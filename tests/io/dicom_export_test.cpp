@@ -1,5 +1,8 @@
 // DICOM files made from a series: segmentations and encapsulated STL.
 
+#include <sys/wait.h>
+
+#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -246,6 +249,25 @@ TEST_CASE("a name beyond ASCII turns the patient's values to UTF-8 with it") {
   writeDicomSegmentation(randomLabels(source.grid()), twoOrgans("Kidney"), source.origin(), {},
                          source.folder / "latin.seg.dcm");
   CHECK(holds(readBytes(source.folder / "latin.seg.dcm"), element(0x10, 0x10, "PN", "M\xfcller^J\xf6rg")));
+}
+
+TEST_CASE("a name beyond ASCII without a character set of the series is refused before the growth") {
+  MoreElements values = patient("M\xfcller^J\xf6rg");
+  values.erase(0x00080005);
+  const Source source(9, values);
+  const std::string path = source.folder / "out.seg.dcm";
+  CHECK_THROWS_AS(requireDicomNames({"Ni\u00e8re"}, source.origin(), {}, path), OutputError);
+  CHECK_NOTHROW(requireDicomNames({"Kidney"}, source.origin(), {}, path));
+  CHECK_NOTHROW(requireDicomNames({"Ni\u00e8re"}, source.origin(), {.anonymous = true}, path));
+  // Before the seed, which lies outside of the volume, is looked at.
+  const std::string said = source.folder / "said";
+  const std::string command = std::string(HANDLEBODY_CLI) + " segment '" + (source.folder / "series") +
+                              "' --seed 9000,9000,9000,1 --object-name 'Ni\u00e8re' --quiet -o '" + path +
+                              "' 2> '" + said + "'";
+  const int status = std::system(command.c_str());
+  CHECK(WEXITSTATUS(status) == 2);
+  CHECK_THAT(readBytes(said), Contains("character set"));
+  CHECK_FALSE(fs::exists(path));
 }
 
 TEST_CASE("a segmentation of images that were compressed with loss says so, an anonymous one too") {

@@ -199,4 +199,14 @@ void save(DcmDataset& data, const DcmTagKey& tag, const std::string& path) {
 }
 
 }  // namespace dicom
+
+void requireDicomNames(const std::vector<std::string>& names, const DicomOrigin& origin,
+                       const DicomContent& content, const std::string& path) {
+  dicom::checkExport(origin, content, path);
+  dicom::Texts texts{content.creator, content.description};
+  texts.insert(texts.end(), names.begin(), names.end());
+  DcmDataset none;
+  dicom::addPatientAndStudy(none, origin, content, texts, path);
+}
+
 }  // namespace handlebody

@@ -39,6 +39,12 @@ bool namesImages(const DicomOrigin& origin);
 //! None if `text` can stand in a DICOM field of 64 characters; else why not, without a full stop.
 Finding dicomTextFinding(const std::string& text);
 
+//! Before the work: throws as the writing does if objects of such names cannot be in a file of this origin,
+//! UsageError for what `origin` or `content` is, OutputError if a name is not ASCII and the character set of
+//! the source is not known.
+void requireDicomNames(const std::vector<std::string>& names, const DicomOrigin& origin,
+                       const DicomContent& content, const std::string& path);
+
 //! Writes the label map of the objects as a binary DICOM Segmentation (PS3.3 A.51): a segment per object,
 //! numbered from 1 in the order of their label values, with a frame for every slice between its first and
 //! last. Each frame refers to its source image unless the volume was resampled. Whole or not at all, read
