@@ -21,6 +21,7 @@
 #include "core/io/report/start_surface.h"
 #include "core/io/report/voxel_fingerprint.h"
 #include "core/io/report/wall_map.h"
+#include "core/measure/intensity_inside.h"
 
 namespace handlebody::cli {
 
@@ -283,6 +284,20 @@ std::vector<Finding> warningsOfSensitivity(const RunReport& report) {
                              "to rest, and perturbed runs would go on")}}}};
 }
 
+//! What voxels leave out of the surface; nothing where no label map is asked for.
+std::vector<Finding> warningsOfLabelMap(const TriangleSoup& mesh, const Volume& volume,
+                                        const RunOutputs& outputs) {
+  const auto isLabelMap = [](const ResultFile& file) {
+    return isLabelMapPath(file.path) || isDicomSegmentationPath(file.path);
+  };
+  if (std::none_of(outputs.files.begin(), outputs.files.end(), isLabelMap)) return {};
+  const IntensityInside inside = intensityInside(mesh, volume);
+  std::vector<Finding> warnings;
+  if (!inside.isWhole) warnings.push_back(FindingKind::surfacePartlyOutside);
+  if (inside.voxels + inside.withoutValue == 0) warnings.push_back(FindingKind::noVoxelInside);
+  return warnings;
+}
+
 void tellPolish(const PolishReport& polish, RunReport& report) {
   report.polish = polish;
   if (Finding warning = polishWarning(polish); warning.any()) report.warnings.push_back(std::move(warning));
@@ -342,6 +357,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
                                        outputs.sensitivity, outputs.quiet);
   report.seconds.sensitivity = watch.lap();
   addWarnings(contour, made.mesh, report);
+  for (Finding& d : warningsOfLabelMap(made.mesh, volume, outputs)) report.warnings.push_back(std::move(d));
   if (asksSensitivity)
     for (Finding& d : warningsOfSensitivity(report)) report.warnings.push_back(std::move(d));
   warn(report.warnings, name);

@@ -110,6 +110,29 @@ TEST_CASE("options of a growth are refused for an object that is given", "[cli][
   scene.refuse({"--start", scene.ball, "--start-smooth", "1"}, "--start-smooth has no effect");
 }
 
+TEST_CASE("what a label map leaves out of a surface is told", "[cli][effect]") {
+  const Given scene;
+  const auto written = [&](const TriangleSoup& mesh, const std::string& name) {
+    writeMesh(mesh, scene.folder / "part.stl");
+    const Outcome outcome = runCli({"segment", scene.volume, "--given", scene.folder / "part.stl", "-o",
+                                    scene.folder / name, "--report", scene.folder / "r.json", "--quiet"});
+    CHECK(outcome.exitCode == 0);
+    const auto warnings = nlohmann::json::parse(readBytes(scene.folder / "r.json")).at("warnings").dump();
+    return std::pair(outcome.err, warnings);
+  };
+  const char* const kNone = "No voxel with a value has its centre inside";
+  const char* const kPart = "A part of the surface lies outside of the volume";
+  const TriangleSoup between = icosphere(Vec3(20.5, 20.5, 20.5), 0.3, 0.1);
+  for (const char* name : {"m.nii", "m.seg.nrrd"}) {
+    const auto [said, reported] = written(between, name);
+    CHECK_THAT(said, Contains(kNone));
+    CHECK_THAT(reported, Contains(kNone));
+  }
+  CHECK_THAT(written(icosphere(Vec3(37, 20, 20), 8, 2), "m.mha").first, Contains(kPart) && !Contains(kNone));
+  CHECK_THAT(written(icosphere(Vec3(20, 20, 20), 8, 2), "m.mha").first, !Contains(kPart) && !Contains(kNone));
+  CHECK_THAT(written(between, "m.ply").first, !Contains(kNone));
+}
+
 TEST_CASE("what a given object cannot keep is refused", "[cli][effect]") {
   const Given scene;
   scene.refuse({"--given", scene.ball, "--wall", "20,20,20,2"}, "lies over the surface that --given says");
