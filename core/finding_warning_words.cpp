@@ -203,8 +203,9 @@ constexpr FindingWords kWords[] = {
      "lattice of "
      "two meshes finer."},
     {K::surfacePartlyOutside, "surface-partly-outside",
-     QT_TRANSLATE_NOOP("Findings",
-                       "A part of the surface lies outside of the volume, and intensities are of the rest.")},
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "A part of the surface lies outside of the volume: intensities and label maps are of the rest.")},
     {K::voxelsWithoutValue, "voxels-without-value",
      QT_TRANSLATE_NOOP("Findings", "{voxels:0f} voxels inside have no finite value and do not count.")},
     {K::noVoxelInside, "no-voxel-inside",

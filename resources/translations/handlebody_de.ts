@@ -1672,8 +1672,8 @@
         <translation>A und B überlappen nicht: Ihre Oberflächen sind {apart_mm:4g} mm voneinander entfernt, die Mitten ihrer Quader {centres_mm:4g} mm. Mit umgekehrten Vorzeichen von x und y in einem der beiden würden sie sich treffen: Ist eines in RAS und sagt es nicht?</translation>
     </message>
     <message>
-        <source>A part of the surface lies outside of the volume, and intensities are of the rest.</source>
-        <translation>Ein Teil der Oberfläche liegt außerhalb des Bildvolumens, und die Intensitäten sind die des übrigen.</translation>
+        <source>A part of the surface lies outside of the volume: intensities and label maps are of the rest.</source>
+        <translation>Ein Teil der Oberfläche liegt außerhalb des Bildvolumens: Intensitäten und Labelkarten sind die des übrigen.</translation>
     </message>
     <message>
         <source>{voxels:0f} voxels inside have no finite value and do not count.</source>

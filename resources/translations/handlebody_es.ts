@@ -1672,8 +1672,8 @@
         <translation>A y B no se solapan: sus superficies están a {apart_mm:4g} mm, los centros de sus cajas a {centres_mm:4g} mm. Con los signos de x e y cambiados en uno de ellos se encontrarían: ¿está uno en RAS sin decirlo?</translation>
     </message>
     <message>
-        <source>A part of the surface lies outside of the volume, and intensities are of the rest.</source>
-        <translation>Una parte de la superficie está fuera del volumen y las intensidades son las del resto.</translation>
+        <source>A part of the surface lies outside of the volume: intensities and label maps are of the rest.</source>
+        <translation>Una parte de la superficie está fuera del volumen: las intensidades y los mapas de etiquetas son los del resto.</translation>
     </message>
     <message>
         <source>{voxels:0f} voxels inside have no finite value and do not count.</source>

@@ -1672,8 +1672,8 @@
         <translation>A et B ne se recouvrent pas : leurs surfaces sont à {apart_mm:4g} mm l’une de l’autre, les centres de leurs boîtes à {centres_mm:4g} mm. Avec les signes de x et de y inversés dans l’un des deux, ils se rencontreraient : l’un est-il en RAS sans le dire ?</translation>
     </message>
     <message>
-        <source>A part of the surface lies outside of the volume, and intensities are of the rest.</source>
-        <translation>Une partie de la surface est hors du volume, et les intensités sont celles du reste.</translation>
+        <source>A part of the surface lies outside of the volume: intensities and label maps are of the rest.</source>
+        <translation>Une partie de la surface est hors du volume : les intensités et les cartes d’étiquettes sont celles du reste.</translation>
     </message>
     <message>
         <source>{voxels:0f} voxels inside have no finite value and do not count.</source>

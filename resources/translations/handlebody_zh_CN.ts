@@ -1672,8 +1672,8 @@
         <translation>A 与 B 不重叠：它们的表面相距 {apart_mm:4g} mm，包围盒的中心相距 {centres_mm:4g} mm。若将其中之一的 x 和 y 变号，它们就会相交：是否有一个采用 RAS 而未注明？</translation>
     </message>
     <message>
-        <source>A part of the surface lies outside of the volume, and intensities are of the rest.</source>
-        <translation>表面有一部分位于体数据之外，强度取自其余部分。</translation>
+        <source>A part of the surface lies outside of the volume: intensities and label maps are of the rest.</source>
+        <translation>表面有一部分位于体数据之外：强度和标签图取自其余部分。</translation>
     </message>
     <message>
         <source>{voxels:0f} voxels inside have no finite value and do not count.</source>

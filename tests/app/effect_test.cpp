@@ -128,7 +128,7 @@ TEST_CASE("what a label map leaves out of a surface is told", "[cli][effect]") {
     CHECK_THAT(said, Contains(kNone));
     CHECK_THAT(reported, Contains(kNone));
   }
-  CHECK_THAT(written(icosphere(Vec3(37, 20, 20), 8, 2), "m.mha").first, Contains(kPart) && !Contains(kNone));
+  CHECK_THAT(written(icosphere(Vec3(33, 20, 20), 10, 2), "m.mha").first, Contains(kPart) && !Contains(kNone));
   CHECK_THAT(written(icosphere(Vec3(20, 20, 20), 8, 2), "m.mha").first, !Contains(kPart) && !Contains(kNone));
   CHECK_THAT(written(between, "m.ply").first, !Contains(kNone));
 }
