@@ -236,11 +236,11 @@ TEST_CASE("a start is known by the hash of its header alone, as earlier sessions
   require({"segment", volume, "--given", folder / "labels.nhdr", "--start-label", "1", "-o", folder / "a.stl",
            "--session", folder / "s.json"});
   auto json = nlohmann::json::parse(bytes(folder / "s.json"));
-  json["requested"]["start"]["sha256"] = hashOfPath(folder / "labels.nhdr").header;
+  json["requested"]["constraints"]["start"]["sha256"] = hashOfPath(folder / "labels.nhdr").header;
   writeBytes(folder / "s.json", json.dump());
   require({"replay", folder / "s.json", "-o", folder / "b.stl"});
   CHECK(bytes(folder / "b.stl") == bytes(folder / "a.stl"));
-  json["requested"]["start"]["sha256"] = std::string(64, '0');
+  json["requested"]["constraints"]["start"]["sha256"] = std::string(64, '0');
   writeBytes(folder / "s.json", json.dump());
   requireRefusal(folder, {"replay", folder / "s.json", "-o", folder / "b.stl"}, 3, "labels.nhdr");
 }
