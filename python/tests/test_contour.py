@@ -112,9 +112,13 @@ def test_a_change_that_is_refused_changes_nothing(ball, grown):
     np.testing.assert_array_equal(contour.vertices, grown.vertices)
 
 
-def test_a_candidate_that_there_is_not_is_told_of_the_last_that_was_asked_for(ball):
+def test_a_candidate_that_there_is_not_is_told_of_the_last_that_was_asked_for():
+    k, j, i = np.indices((41, 41, 41))
+    inside = np.clip(10.5 - np.sqrt((i - 20) ** 2 + (j - 20) ** 2 + (k - 20) ** 2), 0, 1)
+    volume = handlebody.Volume((200 - 180 * inside + 0.5 * np.sin(i + 37.1 * j + 1234.5 * k)).astype(np.float32))
+
     def told(first, then):
-        contour = handlebody.Contour(ball.volume, seed=ball.seed[:3], candidate=first)
+        contour = handlebody.Contour(volume, seed=(20, 20, 20), candidate=first)
         contour.run(1)
         contour.change(candidate=then)
         contour.run()
