@@ -188,7 +188,7 @@ void Maker::add(const ExportedObject& object) {
   check(segment->setRecommendedDisplayCIELabValue(lab[0], lab[1], lab[2]));
   Uint16 number = 0;
   check(document_->addSegment(segment.get(), number));
-  segment.release();  // the document has it
+  static_cast<void>(segment.release());  // the document has it
   if (labels_.type == VoxelType::uint16)
     addFrames(labels_.data<std::uint16_t>(), object, number);
   else
