@@ -55,8 +55,9 @@ Action segmentSeveralObjects(const std::vector<std::string>& arguments);
 CLI::App* addCommand(CLI::App& app, const std::string& name, const std::string& description);
 
 //! Each option of the command that takes a path throws OptionError for an empty one, and for what begins like
-//! an option or is one: it was meant as that, and the path before it is missing. "./--x" is a path. To be
-//! called when all options have been added.
+//! an option or is one: it was meant as that, and the path before it is missing. "./--x" is a path. What
+//! stands without an option (VOLUME, SESSION) may not be empty either. To be called when all options have
+//! been added.
 void checkPaths(CLI::App& command);
 
 //! Adds --anonymous of a command that tells figures.

@@ -136,6 +136,10 @@ void checkNames(const std::vector<ObjectLabel>& objects, const VolumeInfo& info,
   }
 }
 
+bool isGiven(const Session& session) {
+  return session.constraints.start && session.constraints.start->isDone;
+}
+
 double Stopwatch::lap() {
   const auto now = std::chrono::steady_clock::now();
   const std::chrono::duration<double> seconds = now - last_;
@@ -328,10 +332,9 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
   for (const ResultFile& file : outputs.files) checkResult(file.path, contextOf(report, outputs));
-  const auto& start = report.session.constraints.start;
   // Beside objects that grow one that is given has none, and does not keep them from theirs.
   const bool asksSensitivity =
-      outputs.sensitivity.runs > 0 && !(among == Among::others && start && start->isDone);
+      outputs.sensitivity.runs > 0 && !(among == Among::others && isGiven(report.session));
   if (asksSensitivity) requireRepeatable(report.session);
   const Volume volume = loaded.volume;  // the contour has the same voxels in memory
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested,

@@ -61,6 +61,9 @@ void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inp
 //! objects.
 void checkNames(const std::vector<ObjectLabel>& objects, const VolumeInfo& info, const RunOutputs& outputs);
 
+//! The object is a surface that stays as it is: nothing grows.
+bool isGiven(const Session& session);
+
 //! Seconds since it was made or last asked.
 class Stopwatch {
  public:

@@ -78,10 +78,9 @@ namespace {
 
 //! Before the first of them grows; of those that are given only if nothing grows.
 void requireAllRepeatable(const std::vector<Session*>& all) {
-  const auto isGiven = [](const Session* s) { return s->constraints.start && s->constraints.start->isDone; };
-  const bool areAllGiven = std::all_of(all.begin(), all.end(), isGiven);
+  const bool areAllGiven = std::all_of(all.begin(), all.end(), [](const Session* s) { return isGiven(*s); });
   for (const Session* session : all)
-    if (areAllGiven || !isGiven(session))
+    if (areAllGiven || !isGiven(*session))
       namingErrors(session->label.name, [&] { requireRepeatable(*session); });
 }
 

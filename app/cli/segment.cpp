@@ -96,10 +96,6 @@ void addGrowthOption(CLI::App& command, const GrowthOption& option, Session& ses
   throw UsageError("--on-held has no limit to hold: give --components or --genus.");
 }
 
-bool isGiven(const Session& session) {
-  return session.constraints.start && session.constraints.start->isDone;
-}
-
 //! Of the whole run, if nothing grows in it.
 void requireEffectOnGiven(const SegmentOptions& o) {
   for (const char* name : {"--on-leak", "--on-held", "--list-candidates"})

@@ -12,6 +12,7 @@
 #include "app/cli/csv.h"
 #include "app/cli/segment.h"
 #include "core/errors.h"
+#include "core/io/atomic_file.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 
@@ -137,19 +138,9 @@ bool isOurs(const std::string& file) {
          file == "curve.svg";
 }
 
-//! As the system finds it, in a folder without links: `..` behind a link is not the folder that the link is
-//! in. The last name stays, since what it links to may have another ending, and other files beside it.
-std::string pathWithoutLinks(const fs::path& path) {
-  const bool isNamed = path.has_filename() && path.filename() != "." && path.filename() != "..";
-  std::error_code failed;
-  const fs::path real = fs::canonical(isNamed ? path.parent_path() : path, failed);
-  if (failed) return path.string();  // the system will say that there is no such file
-  return isNamed ? (real / path.filename()).string() : real.string();
-}
-
 //! Path of an input; throws UsageError unless it can be read.
 std::string inputPath(const std::string& text, const fs::path& folder) {
-  std::string path = pathWithoutLinks(folder / text);
+  std::string path = inRealFolder((folder / text).string());
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
   if (!fs::exists(status)) throw UsageError(path + ": there is no such file or folder");

@@ -150,6 +150,16 @@ std::string behindLinks(const std::string& path) {
   return at.string();
 }
 
+std::string inRealFolder(const std::string& path) {
+  fs::path whole = fs::absolute(path);
+  if (!whole.has_filename()) whole = whole.parent_path();
+  const bool isNamed = whole.filename() != "." && whole.filename() != "..";
+  std::error_code failed;
+  const fs::path real = fs::weakly_canonical(isNamed ? whole.parent_path() : whole, failed);
+  if (failed) return whole.string();  // whoever opens it is told why
+  return (isNamed ? real / whole.filename() : real).string();
+}
+
 void writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write,
                      FileSet* set) {
   if (fs::path(path).filename().empty()) refuseOutput(path, FindingKind::nameIsFolder);

@@ -21,6 +21,10 @@ Finding systemFinding(int error);
 //! links in a circle one of them.
 std::string behindLinks(const std::string& path);
 
+//! Absolute, as the system finds it and without links but for the last name: what that leads to may have
+//! another ending, and other files beside it.
+std::string inRealFolder(const std::string& path);
+
 //! Calls `write` with a temporary name in the folder of `path` (same ending in lower case, so that a
 //! writer can choose its format by it) and then renames that file to `path`. If anything fails or throws, the
 //! temporary file is removed and what was at `path` before stays. A symbolic link stays, too: what it leads

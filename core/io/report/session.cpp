@@ -33,18 +33,10 @@ std::string readText(const std::string& path) {
   return text;
 }
 
-//! Without links but for the last: what that leads to may have another ending, and other files beside it.
-fs::path inRealFolder(const std::string& path) {
-  fs::path whole = fs::absolute(path);
-  if (!whole.has_filename()) whole = whole.parent_path();
-  if (whole.filename() == "." || whole.filename() == "..") return fs::weakly_canonical(whole);
-  return fs::weakly_canonical(whole.parent_path()) / whole.filename();
-}
-
 // A relative path survives a move of the folder that holds volume and session; across different drives or
 // roots there is none, and the absolute path stays.
 std::string storedPath(const std::string& volume, const std::string& session) {
-  const fs::path target = inRealFolder(volume);
+  const fs::path target(inRealFolder(volume));
   const fs::path folder = fs::weakly_canonical(fs::absolute(session)).parent_path();
   const fs::path relative = target.lexically_relative(folder);
   return relative.empty() ? target.string() : relative.string();
