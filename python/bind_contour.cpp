@@ -150,12 +150,14 @@ void saveContour(const Contour& contour, const py::args& to, const std::string& 
   std::vector<std::string> paths;
   for (const py::handle path : to) paths.push_back(pathOf(py::reinterpret_borrow<py::object>(path)));
   if (paths.empty()) throw py::type_error("save() needs a path.");
+  std::vector<Finding> warnings;
   with(contour, [&] {
     const std::lock_guard lock(filesMutex());
     const Session& session = contour.told().session;
-    save(*contour.mesh().soup(), &contour.volume().loaded.info, paths, {space, name, label, session.label},
-         inputsOf(session));
+    warnings = save(*contour.mesh().soup(), &contour.volume().loaded.info, paths,
+                    {space, name, label, session.label}, inputsOf(session));
   });
+  warn(warnings);
 }
 
 std::string contourName(const Contour& contour) {

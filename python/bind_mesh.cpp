@@ -51,12 +51,15 @@ py::object measureMesh(const PythonMesh& mesh, const VolumePointer& volume) {
 void saveMesh(const PythonMesh& mesh, const py::object& to, const VolumePointer& volume,
               const std::string& space, const std::string& name, int label) {
   const std::string path = pathOf(to);
+  std::vector<Finding> warnings;
   withoutLock([&] {
     const std::lock_guard lock(filesMutex());
     std::vector<std::string> inputs;
     if (volume) inputs.push_back(volume->loaded.info.path);
-    save(*mesh.soup(), volume ? &volume->loaded.info : nullptr, {path}, {space, name, label, {}}, inputs);
+    warnings =
+        save(*mesh.soup(), volume ? &volume->loaded.info : nullptr, {path}, {space, name, label, {}}, inputs);
   });
+  warn(warnings);
 }
 
 MeshPointer readMeshOf(const py::object& from) {

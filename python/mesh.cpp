@@ -67,8 +67,9 @@ void requireOther(const std::string& path, const std::string& input) {
     throw UsageError(path + " belongs to what was read, and is not overwritten.");
 }
 
-void save(const TriangleSoup& mesh, const VolumeInfo* volume, const std::vector<std::string>& paths,
-          const SaveSettings& settings, const std::vector<std::string>& inputs) {
+std::vector<Finding> save(const TriangleSoup& mesh, const VolumeInfo* volume,
+                          const std::vector<std::string>& paths, const SaveSettings& settings,
+                          const std::vector<std::string>& inputs) {
   ExportContext context;
   context.space = spaceOf(settings.space);
   if (volume) {
@@ -84,7 +85,9 @@ void save(const TriangleSoup& mesh, const VolumeInfo* volume, const std::vector<
     throw UsageError(
         "space: RAS has no effect: .gltf (in metres, y up) and .stl.dcm (LPS) have a space of their own.");
   const ObjectLabel label = labelOf(settings);
-  writeResults({{label, certifiedForExport(mesh).mesh}}, context, paths);
+  const TriangleSoup written = certifiedForExport(mesh).mesh;
+  writeResults({{label, written}}, context, paths);
+  return labelMapWarnings(written, context.grid, paths);
 }
 
 }  // namespace handlebody::python

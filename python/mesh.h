@@ -41,9 +41,10 @@ void requireOther(const std::string& path, const std::string& input);
 
 //! Writes the mesh by the ending of each path, rounded to single precision and certified as the command line
 //! does. `volume` gives the grid of label maps and what DICOM files are made for; null: neither is written.
-//! No path may belong to one of `inputs`. Throws UsageError, OutputError, InputError; nothing is written if
-//! it fails its certificate.
-void save(const TriangleSoup& mesh, const VolumeInfo* volume, const std::vector<std::string>& paths,
-          const SaveSettings& settings, const std::vector<std::string>& inputs);
+//! No path may belong to one of `inputs`. Returns what label maps leave out. Throws UsageError, OutputError,
+//! InputError; nothing is written if it fails its certificate.
+std::vector<Finding> save(const TriangleSoup& mesh, const VolumeInfo* volume,
+                          const std::vector<std::string>& paths, const SaveSettings& settings,
+                          const std::vector<std::string>& inputs);
 
 }  // namespace handlebody::python

@@ -1,5 +1,6 @@
 #include "app/cli/frame_files.h"
 
+#include <cstdio>
 #include <utility>
 
 #include "core/errors.h"
@@ -42,6 +43,14 @@ void checkFrameFiles(const RunOutputs& outputs, const std::vector<std::string>& 
     others.push_back({"--curve", curve});
   }
   checkOutputs(every, inputs, std::move(others));
+}
+
+void warnOfLabelMap(const OverTimeReport& over, const Grid& grid, const RunOutputs& outputs) {
+  std::vector<std::string> paths;
+  for (const ResultFile& file : outputs.files) paths.push_back(file.path);
+  for (const auto& [frame, warnings] : frameLabelWarnings(over, grid, paths))
+    for (const std::string& warning : sentences(warnings))
+      std::fprintf(stderr, "handlebody-cli: warning: frame %d: %s\n", frame, warning.c_str());
 }
 
 void writeFrameFiles(const RunReport& report, const RunOutputs& outputs,

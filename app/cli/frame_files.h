@@ -16,6 +16,9 @@ void checkFrameFile(const std::string& option, const std::string& path);
 void checkFrameFiles(const RunOutputs& outputs, const std::vector<std::string>& curves,
                      const OverTimeRequest::Range& range, const std::vector<std::string>& inputs);
 
+//! Says on standard error what a label map of -o leaves out of frames.
+void warnOfLabelMap(const OverTimeReport& over, const Grid& grid, const RunOutputs& outputs);
+
 //! Writes the files of -o and the curves. Frames without a surface have no mesh file, and no voxel in the
 //! label map. Precondition: report.overTime. Throws OutputError.
 void writeFrameFiles(const RunReport& report, const RunOutputs& outputs,

@@ -253,14 +253,15 @@ void printOverTime(const OverTimeReport& report) {
 }
 
 //! Carried through the frames, and polished where that is wanted; its warnings are said on standard error.
-OverTimeReport carried(GrownObject& grown, OverTimeReport over, bool quiet) {
+OverTimeReport carried(GrownObject& grown, OverTimeReport over, const RunOutputs& outputs) {
   Stopwatch watch;
-  OverTimeRun through(grown, over, quiet);
+  OverTimeRun through(grown, over, outputs.quiet);
   through.carry();
   grown.report.seconds.evolve += watch.lap();
   through.polish(grown);
   for (const std::string& warning : overTimeWarnings(over))
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
+  warnOfLabelMap(over, grown.report.volume.grid, outputs);
   grown.report.seconds.exported += watch.lap();
   return over;
 }
@@ -283,7 +284,7 @@ int runOverTime(LoadedSession loaded, const RunOutputs& outputs, const OverTimeO
   if (!session.overTime->frames) session.overTime->frames = OverTimeRequest::Range{0, frames - 1};
   OverTimeReport over{*session.overTime, timesOf(session, frames)};
   GrownObject grown = grow(std::move(loaded), outputs);
-  grown.report.overTime = carried(grown, std::move(over), outputs.quiet);
+  grown.report.overTime = carried(grown, std::move(over), outputs);
   Stopwatch watch;
   {
     DeferSignals whole;

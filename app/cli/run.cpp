@@ -21,7 +21,6 @@
 #include "core/io/report/start_surface.h"
 #include "core/io/report/voxel_fingerprint.h"
 #include "core/io/report/wall_map.h"
-#include "core/measure/intensity_inside.h"
 
 namespace handlebody::cli {
 
@@ -288,18 +287,11 @@ std::vector<Finding> warningsOfSensitivity(const RunReport& report) {
                              "to rest, and perturbed runs would go on")}}}};
 }
 
-//! What voxels leave out of the surface; nothing where no label map is asked for.
-std::vector<Finding> warningsOfLabelMap(const TriangleSoup& mesh, const Volume& volume,
+std::vector<Finding> warningsOfLabelMap(const TriangleSoup& mesh, const Grid& grid,
                                         const RunOutputs& outputs) {
-  const auto isLabelMap = [](const ResultFile& file) {
-    return isLabelMapPath(file.path) || isDicomSegmentationPath(file.path);
-  };
-  if (std::none_of(outputs.files.begin(), outputs.files.end(), isLabelMap)) return {};
-  const IntensityInside inside = intensityInside(mesh, volume);
-  std::vector<Finding> warnings;
-  if (!inside.isWhole) warnings.push_back(FindingKind::surfacePartlyOutside);
-  if (inside.voxels + inside.withoutValue == 0) warnings.push_back(FindingKind::noVoxelInside);
-  return warnings;
+  std::vector<std::string> paths;
+  for (const ResultFile& file : outputs.files) paths.push_back(file.path);
+  return labelMapWarnings(mesh, grid, paths);
 }
 
 void tellPolish(const PolishReport& polish, RunReport& report) {
@@ -360,7 +352,8 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
                                        outputs.sensitivity, outputs.quiet);
   report.seconds.sensitivity = watch.lap();
   addWarnings(contour, made.mesh, report);
-  for (Finding& d : warningsOfLabelMap(made.mesh, volume, outputs)) report.warnings.push_back(std::move(d));
+  for (Finding& d : warningsOfLabelMap(made.mesh, volume.grid, outputs))
+    report.warnings.push_back(std::move(d));
   if (asksSensitivity)
     for (Finding& d : warningsOfSensitivity(report)) report.warnings.push_back(std::move(d));
   warn(report.warnings, name);

@@ -85,6 +85,16 @@ void gather(const T* voxels, const Grid& grid, const Part& part, const std::uint
 
 }  // namespace
 
+VoxelsInside voxelsInside(const TriangleSoup& mesh, const Grid& grid) {
+  if (mesh.triangles.empty()) return {};
+  const Part part = partOf(grid, mesh);
+  const std::size_t voxels = part.grid.voxelCount();
+  if (voxels == 0) return {0, part.isWhole};
+  const Volume label = rasterize(mesh, part.grid);
+  const auto* first = label.data<std::uint8_t>();
+  return {voxels - static_cast<std::size_t>(std::count(first, first + voxels, 0)), part.isWhole};
+}
+
 IntensityInside intensityInside(const TriangleSoup& mesh, const Volume& volume) {
   IntensityInside inside;
   if (mesh.triangles.empty()) return inside;

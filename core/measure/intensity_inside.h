@@ -17,7 +17,14 @@ struct IntensityInside {
   bool isWhole = true;           //!< no part of the mesh lies beyond the volume's voxels
 };
 
-//! Needs a byte per voxel of the mesh's box. Precondition: the mesh is closed.
+//! What a label map on a grid has of a mesh.
+struct VoxelsInside {
+  std::size_t count = 0;  //!< voxels whose centre lies inside
+  bool isWhole = true;    //!< no part of the mesh lies beyond the grid's voxels
+};
+
+//! Both need a byte per voxel of the mesh's box. Precondition: the mesh is closed.
+VoxelsInside voxelsInside(const TriangleSoup& mesh, const Grid& grid);
 IntensityInside intensityInside(const TriangleSoup& mesh, const Volume& volume);
 
 }  // namespace handlebody

@@ -1,5 +1,6 @@
 """Meshes: from arrays and files, certificate, label maps, writing, comparing."""
 import json
+import warnings
 
 import numpy as np
 import pytest
@@ -93,6 +94,19 @@ def test_what_cannot_be_written_leaves_nothing_behind(ball, grown, tmp_path):
     assert list(tmp_path.iterdir()) == []
     grown.mesh().save(tmp_path / "a.nii.gz", volume=ball.volume, label=7)
     assert set(np.unique(handlebody.read_volume(tmp_path / "a.nii.gz").array)) == {0, 7}
+
+
+def test_what_a_label_map_leaves_out_is_a_warning(ball, tmp_path):
+    corners = np.array(VERTICES, float)
+    between = handlebody.Mesh(corners * 0.5 + 5.2, FACES)
+    with pytest.warns(handlebody.HandlebodyWarning, match="No voxel with a value has its centre inside"):
+        between.save(tmp_path / "a.nii.gz", volume=ball.volume)
+    outside = handlebody.Mesh(corners * 4 - 2, FACES)
+    with pytest.warns(handlebody.HandlebodyWarning, match="lies outside of the volume"):
+        outside.save(tmp_path / "b.nii.gz", volume=ball.volume)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        between.save(tmp_path / "c.ply")
 
 
 def test_nothing_is_written_over_the_volume(torus_file, tmp_path, cli):

@@ -91,6 +91,19 @@ TEST_CASE("a frame that has no surface any more keeps no mesh of an earlier run"
   CHECK(folder.fileCount() == 6);
 }
 
+TEST_CASE("what a 4D label map leaves out of a frame is told of that frame") {
+  const OverTimeReport over = ballsOverTime();  // radii of 10, 11 and 13 mm
+  Grid grid;
+  grid.size = {25, 25, 25};
+  grid.origin = Vec3(-12, -12, -12);
+  const auto told = frameLabelWarnings(over, grid, {"m.nii"});
+  REQUIRE(told.size() == 1);
+  CHECK(told.at(3).at(0).kind == FindingKind::surfacePartlyOutside);
+  CHECK(frameLabelWarnings(over, grid, {"m.stl"}).empty());
+  grid.origin = Vec3(50, 50, 50);
+  CHECK(frameLabelWarnings(over, grid, {"m.nii"}).at(0).size() == 2);
+}
+
 TEST_CASE("frames that nobody wants any more are not written") {
   const TemporaryFolder folder;
   const OverTimeReport over = ballsOverTime();

@@ -441,6 +441,7 @@ class Document : public QObject {
   void exporting(const QString& path);
   void exportPolishes(const QString& object);  //!< its surface is polished now
   void polished(const QString& sentences);     //!< what that did, before exported(); not if nothing was bad
+  void leftOutOfLabelMap(const QString& sentences);  //!< the same of what voxels leave out of the surfaces
   void polishesChanged();
   void exportCancelled(const QString& path);
   void exported(const QString& path);

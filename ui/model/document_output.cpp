@@ -201,16 +201,16 @@ QString Document::outputFault(const QString& path) const {
   return {};
 }
 
-void Document::Private::write(const QString& path, std::function<QString()> job) {
+void Document::Private::write(const QString& path, std::function<Written()> job) {
   write(path, {path}, std::move(job));
 }
 
-void Document::Private::write(const QString& path, const QStringList& all, std::function<QString()> job) {
+void Document::Private::write(const QString& path, const QStringList& all, std::function<Written()> job) {
   for (const QString& file : all)
     if (const QString fault = q.outputFault(file); !fault.isEmpty()) return Q_EMIT q.exportRefused(fault);
   files.post([this, path, stop = exporting.begin(), job = std::move(job)] {
     bool gaveUp = false;
-    QString told;
+    Written told;
     const QString failed = whyNot([&] {
       try {
         const CancelScope scope(*stop);
@@ -226,7 +226,8 @@ void Document::Private::write(const QString& path, const QStringList& all, std::
             Q_EMIT q.exportCancelled(path);
             return;
           }
-          if (failed.isEmpty() && !told.isEmpty()) Q_EMIT q.polished(told);
+          if (failed.isEmpty() && !told.polished.isEmpty()) Q_EMIT q.polished(told.polished);
+          if (failed.isEmpty() && !told.leftOut.isEmpty()) Q_EMIT q.leftOutOfLabelMap(told.leftOut);
           failed.isEmpty() ? Q_EMIT q.exported(path) : Q_EMIT q.exportFailed(failed);
         },
         Qt::QueuedConnection);
@@ -267,10 +268,10 @@ void Document::Private::exportAs(const QString& told, const QStringList& paths, 
                                  WriteObjects writeThem) {
   output.space = coordinates;
   write(told, paths,
-        [this, betters = output.polishes, toWrite = writtenObjects(which, content.anonymous),
+        [this, paths, betters = output.polishes, toWrite = writtenObjects(which, content.anonymous),
          context =
              ExportContext{work->volume.grid, coordinates, time.store().origin(time.shownFrame()), content},
-         writeThem = std::move(writeThem)] {
+         writeThem = std::move(writeThem)]() -> Written {
           const auto meshes = writtenMeshes(toWrite, context.grid, betters, polishing());
           requireApart(toWrite, meshes);
           std::vector<ExportedObject> made;
@@ -280,8 +281,9 @@ void Document::Private::exportAs(const QString& told, const QStringList& paths, 
             made.back().label.name = toWrite[i].nameInFiles;
           }
           giveUpIfCancelled();
+          const QString leftOut = leftOutTexts(toWrite, meshes, context, paths);
           writeThem(made, context);
-          return polishTexts(toWrite, meshes);
+          return {polishTexts(toWrite, meshes), leftOut};
         });
 }
 
@@ -340,22 +342,23 @@ std::vector<PendingReport> Document::Private::pendingReports(bool isAnonymous) c
 
 void Document::Private::exportReport(const QString& path, const std::vector<PendingReport>& reports,
                                      bool isAnonymous) {
-  write(path, [this, path, made = reports, known = hash, isAnonymous, betters = output.polishes,
-               volume = work->volume, grown = corrected.grownVolume(work->volume)]() mutable {
-    std::vector<WrittenObject> told;
-    for (const PendingReport& pending : made) told.push_back(pending.object);
-    const auto meshes = writtenMeshes(told, volume.grid, betters, polishing());
-    std::vector<RunReport> all;
-    for (std::size_t i = 0; i < made.size(); ++i) {
-      complete(made[i].report.session, *known);
-      if (isAnonymous) keepVoxels(made[i].report.session.volume, grown);
-      all.push_back(completed(std::move(made[i]), meshes[i], volume));
-      if (isAnonymous) all.back() = anonymous(std::move(all.back()));
-      giveUpIfCancelled();
-    }
-    writeTextAtomically(fileName(path), textOf(all, meshes));
-    return polishTexts(told, meshes);
-  });
+  write(path,
+        [this, path, made = reports, known = hash, isAnonymous, betters = output.polishes,
+         volume = work->volume, grown = corrected.grownVolume(work->volume)]() mutable -> Written {
+          std::vector<WrittenObject> told;
+          for (const PendingReport& pending : made) told.push_back(pending.object);
+          const auto meshes = writtenMeshes(told, volume.grid, betters, polishing());
+          std::vector<RunReport> all;
+          for (std::size_t i = 0; i < made.size(); ++i) {
+            complete(made[i].report.session, *known);
+            if (isAnonymous) keepVoxels(made[i].report.session.volume, grown);
+            all.push_back(completed(std::move(made[i]), meshes[i], volume));
+            if (isAnonymous) all.back() = anonymous(std::move(all.back()));
+            giveUpIfCancelled();
+          }
+          writeTextAtomically(fileName(path), textOf(all, meshes));
+          return {polishTexts(told, meshes), {}};
+        });
 }
 
 }  // namespace handlebody::ui

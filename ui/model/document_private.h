@@ -149,10 +149,14 @@ class Document::Private : public ObjectHost {
   std::vector<WrittenObject> writtenObjects(const std::vector<int>& which, bool isAnonymous) const;
   //! Tells on the GUI thread what is being polished.
   std::function<void(const std::string&)> polishing();
+  //! What is told of files that are written; empty: nothing.
+  struct Written {
+    QString polished, leftOut;
+  };
   //! On the files' thread: has `job` done until it is cancelled, and tells how it ended.
-  void write(const QString& path, std::function<QString()> job);
+  void write(const QString& path, std::function<Written()> job);
   //! The same of several files. `path`: what signals name.
-  void write(const QString& path, const QStringList& all, std::function<QString()> job);
+  void write(const QString& path, const QStringList& all, std::function<Written()> job);
   using WriteObjects = std::function<void(const std::vector<ExportedObject>&, const ExportContext&)>;
   //! `told`: the path that signals name; `paths`: what is written.
   void exportAs(const QString& told, const QStringList& paths, CoordinateSpace space,

@@ -98,16 +98,17 @@ void Document::exportAnonymousSession(const QString& path) {
 
 void Document::Private::exportAnonymousSession(const QString& path) {
   // Which objects are shown and locked names nobody; what the window keeps may have come with a file.
-  write(path, [path, made = sessions(), known = hash, own = viewWithObjects({}).toStdString(),
-               volume = corrected.grownVolume(work->volume)]() mutable {
-    for (Session& session : made) complete(session, *known);
-    keepVoxels(made.front().volume, volume);  // the others have the same
-    hideFileNames(made);
-    for (Session& session : made) session = anonymous(std::move(session));
-    made.front().view = own;
-    writeSessions(made, fileName(path));
-    return QString();
-  });
+  write(path,
+        [path, made = sessions(), known = hash, own = viewWithObjects({}).toStdString(),
+         volume = corrected.grownVolume(work->volume)]() mutable -> Written {
+          for (Session& session : made) complete(session, *known);
+          keepVoxels(made.front().volume, volume);  // the others have the same
+          hideFileNames(made);
+          for (Session& session : made) session = anonymous(std::move(session));
+          made.front().view = own;
+          writeSessions(made, fileName(path));
+          return {};
+        });
 }
 
 void Document::Private::saveSession(const QString& path) {

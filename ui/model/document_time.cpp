@@ -249,7 +249,7 @@ void Document::Private::exportFrames(const QString& path, CoordinateSpace coordi
   write(path, frameFiles(path, report),
         [this, path, coordinates, over = std::move(report), from = time.carriedFrom(),
          grown = time.grownFrame(), label = active().traits.label, grid = work->volume.grid,
-         betters = output.polishes]() mutable {
+         betters = output.polishes]() mutable -> Written {
           for (FrameResult& r : over.frames)
             if (r.frame == grown) r.mesh = from->get().mesh;
           if (betters) polishFrames(over, [told = polishing(), &label](int) { told(label.name); });
@@ -258,7 +258,7 @@ void Document::Private::exportFrames(const QString& path, CoordinateSpace coordi
             writeFrameMeshes(over, coordinates, file);
           else
             writeFrameLabels(over, label, grid, file);
-          return polishSentence(together(over.polish));
+          return {polishSentence(together(over.polish)), leftOutTexts(over, grid, path)};
         });
 }
 

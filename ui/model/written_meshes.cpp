@@ -1,10 +1,14 @@
 #include "ui/model/written_meshes.h"
 
 #include <QLocale>
+#include <QMap>
 
 #include "core/cancellation.h"
 #include "core/collision/body_contact.h"
 #include "core/errors.h"
+#include "core/io/report/frame_files.h"
+#include "ui/model/file_name.h"
+#include "ui/model/finding_text.h"
 
 namespace handlebody::ui {
 
@@ -88,6 +92,32 @@ QString polishTexts(const std::vector<WrittenObject>& objects, const std::vector
                            : polishSentence(*done));
   }
   return all;
+}
+
+QString leftOutTexts(const std::vector<WrittenObject>& objects, const std::vector<WrittenMesh>& meshes,
+                     const ExportContext& context, const QStringList& paths) {
+  std::vector<std::string> names;
+  for (const QString& path : paths) names.push_back(fileName(path));
+  std::vector<Finding> all;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    giveUpIfCancelled();
+    if (!objects[i].isWanted) continue;
+    for (Finding& left : labelMapWarnings(meshes[i].made.mesh, context.grid, names))
+      all.push_back(objects.size() > 1
+                        ? Finding(FindingKind::ofObject, {{"object", objects[i].label.name}}, std::move(left))
+                        : std::move(left));
+  }
+  return findingSentences(all);
+}
+
+QString leftOutTexts(const OverTimeReport& over, const Grid& grid, const QString& path) {
+  QMap<QString, QStringList> framesOf;
+  for (const auto& [frame, warnings] : frameLabelWarnings(over, grid, {fileName(path)}))
+    framesOf[findingSentences(warnings)] += QString::number(frame);
+  QStringList all;
+  for (auto it = framesOf.cbegin(); it != framesOf.cend(); ++it)
+    all += Document::tr("Frames %1: %2").arg(it.value().join(QStringLiteral(", ")), it.key());
+  return all.join(QLatin1Char(' '));
 }
 
 }  // namespace handlebody::ui

@@ -5,7 +5,9 @@
 #include <functional>
 #include <optional>
 
+#include "core/io/report/over_time_report.h"
 #include "core/io/report/polished_export.h"
+#include "core/io/report/result.h"
 #include "ui/model/finished_mesh.h"
 
 namespace handlebody::ui {
@@ -39,5 +41,10 @@ void requireApart(const std::vector<WrittenObject>& objects, const std::vector<W
 QString polishSentence(const PolishReport& report);
 //! What it did, for those that are wanted and had something bad, one sentence each; empty: nothing.
 QString polishTexts(const std::vector<WrittenObject>& objects, const std::vector<WrittenMesh>& meshes);
+//! What label maps leave out of those that are wanted; empty: nothing, or none of the paths is one.
+QString leftOutTexts(const std::vector<WrittenObject>& objects, const std::vector<WrittenMesh>& meshes,
+                     const ExportContext& context, const QStringList& paths);
+//! The same of the frames of a 4D label map, those of one sentence together.
+QString leftOutTexts(const OverTimeReport& over, const Grid& grid, const QString& path);
 
 }  // namespace handlebody::ui

@@ -7,6 +7,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/formats/label_map.h"
 #include "core/io/formats/sequence_writer.h"
+#include "core/io/report/result.h"
 
 namespace handlebody {
 
@@ -69,6 +70,17 @@ void writeFrameLabels(const OverTimeReport& over, const ObjectLabel& label, cons
     if (r.mesh.triangles.empty()) return makeVolume(layout.grid, layout.type, &zeros);
     return labelMap({{label, r.mesh}}, layout.grid);
   });
+}
+
+std::map<int, std::vector<Finding>> frameLabelWarnings(const OverTimeReport& over, const Grid& grid,
+                                                       const std::vector<std::string>& paths) {
+  std::map<int, std::vector<Finding>> all;
+  for (const FrameResult& r : over.frames) {
+    if (r.mesh.triangles.empty()) continue;  // that there is none is told of the frame
+    if (std::vector<Finding> of = labelMapWarnings(r.mesh, grid, paths); !of.empty())
+      all[r.frame] = std::move(of);
+  }
+  return all;
 }
 
 }  // namespace handlebody

@@ -1,6 +1,7 @@
 #pragma once
 // The surfaces of all frames to files: numbered meshes, a 4D label map.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,9 @@ void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const s
 //! isSequencePath(path). Throws as writeSequence, and Cancelled.
 void writeFrameLabels(const OverTimeReport& over, const ObjectLabel& label, const Grid& grid,
                       const std::string& path);
+
+//! labelMapWarnings of each frame that has any.
+std::map<int, std::vector<Finding>> frameLabelWarnings(const OverTimeReport& over, const Grid& grid,
+                                                       const std::vector<std::string>& paths);
 
 }  // namespace handlebody

@@ -18,6 +18,7 @@
 #include "core/io/report/single_precision.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/tetrahedra/tetrahedra.h"
+#include "core/measure/intensity_inside.h"
 #include "core/phase.h"
 #include "core/polish/polish.h"
 #include "core/told_error.h"
@@ -158,6 +159,19 @@ void checkResult(const std::string& path, const ExportContext& context) {
   if (isTetrahedraPath(path)) requireMesher(path);
   if (!isDicomResult(path)) return;
   if (const Finding fault = dicomFinding(context.dicom.get()); fault.any()) refuseDicom(path, fault);
+}
+
+std::vector<Finding> labelMapWarnings(const TriangleSoup& mesh, const Grid& grid,
+                                      const std::vector<std::string>& paths) {
+  const auto isOfVoxels = [](const std::string& path) {
+    return isLabelMapPath(path) || isDicomSegmentationPath(path);
+  };
+  if (std::none_of(paths.begin(), paths.end(), isOfVoxels)) return {};
+  const VoxelsInside inside = voxelsInside(mesh, grid);
+  std::vector<Finding> warnings;
+  if (!inside.isWhole) warnings.push_back(FindingKind::surfacePartlyOutside);
+  if (inside.count == 0) warnings.push_back(FindingKind::noVoxelInside);
+  return warnings;
 }
 
 const char* resultEndings() {

@@ -48,6 +48,10 @@ bool areSpacesFixed(const std::vector<std::string>& paths);
 //! asked before the work.
 void checkResult(const std::string& path, const ExportContext& context);
 
+//! What voxels leave out of an object; nothing where none of the paths is a label map.
+std::vector<Finding> labelMapWarnings(const TriangleSoup& mesh, const Grid& grid,
+                                      const std::vector<std::string>& paths);
+
 //! Writes the objects to each path by its ending: their meshes as one, or their label map. Throws
 //! OutputError; UsageError for an unknown ending; Cancelled (cancellation.h) while another program works.
 void writeResults(const std::vector<ExportedObject>& objects, const ExportContext& context,

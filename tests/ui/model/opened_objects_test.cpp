@@ -226,6 +226,27 @@ TEST_CASE("the labels of a map become objects with names and values of their own
   CHECK(other.document.objectInfo(0).label.value != other.document.objectInfo(1).label.value);
 }
 
+TEST_CASE("what a label map leaves out of an object is told beside the file", "[objects][opened]") {
+  OpeningWork work;
+  QString told;
+  QObject::connect(&work.document, &Document::leftOutOfLabelMap, [&](const QString& text) { told = text; });
+  const QString part = work.torus.file("part.stl");
+  writeMesh(icosphere(Vec3(20.5, 20.5, 33.5), 0.3, 0.1), part.toStdString());  // between voxel centres
+  REQUIRE(work.open(part, OpenAs::done));
+  work.document.setActiveObject(0);
+  REQUIRE(work.exportActive(work.torus.file("none.nii.gz")));
+  CHECK(told.contains(QLatin1String("No voxel with a value has its centre inside")));
+  told.clear();
+  REQUIRE(work.exportActive(work.torus.file("none.ply")));
+  CHECK(told.isEmpty());
+
+  writeMesh(icosphere(Vec3(38, 38, 38), 5, 1), part.toStdString());
+  REQUIRE(work.open(part, OpenAs::done));
+  REQUIRE(work.exportAll(work.torus.file("both.seg.nrrd")));
+  CHECK(told.contains(QLatin1String("A part of the surface lies outside of the volume")));
+  CHECK(told.contains(QString::fromStdString(nameOf(work.document, 0)) + QLatin1Char(':')));
+}
+
 TEST_CASE("the segments of a file become objects with the names, colours and terms that it has for them",
           "[objects][opened]") {
   OpeningWork work;

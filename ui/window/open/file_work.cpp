@@ -136,12 +136,18 @@ void FileWork::connectMessages() {
   });
   connect(&document_, &Document::exporting, this, [this] {
     polished_.clear();
+    leftOut_.clear();
     ++writing_;
   });
   connect(&document_, &Document::polished, this, [this](const QString& text) { polished_ = text; });
+  connect(&document_, &Document::leftOutOfLabelMap, this, [this](const QString& text) { leftOut_ = text; });
   connect(&document_, &Document::exported, this, [this, said](const QString& path) {
-    const QString written = tr("%1 is written.").arg(path);
-    said(polished_.isEmpty() ? written : written + QLatin1Char(' ') + polished_);
+    QString written = tr("%1 is written.").arg(path);
+    if (!polished_.isEmpty()) written += QLatin1Char(' ') + polished_;
+    if (leftOut_.isEmpty())
+      said(written);
+    else
+      messages_.show(MessageBar::Kind::warning, written + QLatin1Char(' ') + leftOut_);
     afterWriting(true);
   });
   connect(&document_, &Document::exportCancelled, this, [this] { afterWriting(true); });

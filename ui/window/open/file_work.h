@@ -116,6 +116,7 @@ class FileWork : public QObject {
   VolumeSelection askedSelection_;  //!< and how
   QStringList given_;               //!< the files of that session, which does not name them
   QString polished_;                //!< what polishing did to the file that is being written
+  QString leftOut_;                 //!< what it leaves out, as a label map
   QString remembered_;              //!< stands among the recent ones once it is open; empty: does not
   QString reading_;                 //!< what the document reads, or has read last
   QString restored_;                //!< the journal that was to be restored last
