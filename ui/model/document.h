@@ -374,7 +374,8 @@ class Document : public QObject {
   //! The same, a file for each of them: the path and before its extension the name of the object.
   void exportEachObject(const QString& path, const QString& extension, CoordinateSpace space,
                         const DicomContent& content = {});
-  //! Nothing is left of the file that is being written; nothing if there is none.
+  //! Of all files that are being written, or wait for those before them, nothing is left; nothing if there is
+  //! none.
   void cancelExport();
   //! Of all objects that have a surface; tells as exportResult(). `anonymous`: without what may name the
   //! patient, as in the files above if the content says so.

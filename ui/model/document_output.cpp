@@ -214,6 +214,7 @@ void Document::Private::write(const QString& path, const QStringList& all, std::
     const QString failed = whyNot([&] {
       try {
         const CancelScope scope(*stop);
+        giveUpIfCancelled();  // while it waited
         told = job();
       } catch (const Cancelled&) {
         gaveUp = true;
@@ -221,7 +222,8 @@ void Document::Private::write(const QString& path, const QStringList& all, std::
     });
     QMetaObject::invokeMethod(
         &q,
-        [this, path, failed, gaveUp, told] {
+        [this, path, stop, failed, gaveUp, told] {
+          exporting.end(stop);
           if (gaveUp) {
             Q_EMIT q.exportCancelled(path);
             return;

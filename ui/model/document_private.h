@@ -10,6 +10,7 @@
 #include "ui/model/background.h"
 #include "ui/model/corrected_frames.h"
 #include "ui/model/document.h"
+#include "ui/model/jobs_under_way.h"
 #include "ui/model/journal.h"
 #include "ui/model/measurements.h"
 #include "ui/model/newest_job.h"
@@ -181,7 +182,8 @@ class Document::Private : public ObjectHost {
   QString sessionPath;
   QByteArray view;
   bool wasModified = false;
-  NewestJob opening, openingObjects, exporting;
+  NewestJob opening, openingObjects;
+  JobsUnderWay exporting;
   bool openingWaits = false;
   std::optional<ReadWork> read;  // waits
   int editsAtOpen = 0;           // when what is being opened was asked for

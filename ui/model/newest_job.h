@@ -1,5 +1,5 @@
 #pragma once
-// A kind of job of which only the newest counts: opening a volume, opening objects, writing files.
+// A kind of job of which only the newest counts: opening a volume, opening objects.
 
 #include <atomic>
 #include <memory>

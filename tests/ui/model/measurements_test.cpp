@@ -340,6 +340,27 @@ TEST_CASE("an export that is cancelled before it begins leaves nothing and is to
   CHECK(work.failed.isEmpty());
 }
 
+TEST_CASE("to cancel cancels every export that is under way, not the newest alone",
+          "[document][measurements]") {
+  constexpr int kFiles = 8;
+  OutputWork work;
+  work.document.addSeed(work.torus.seed);
+  REQUIRE(work.stepTo(6));
+  QStringList paths, cancelled;
+  QObject::connect(&work.document, &Document::exportCancelled, [&](const QString& p) { cancelled << p; });
+  for (int i = 0; i < kFiles; ++i)
+    paths << work.torus.folder.filePath(QStringLiteral("gone%1.nii.gz").arg(i));
+  for (const QString& path : paths) work.document.exportResult(path, CoordinateSpace::lps);
+  work.document.cancelExport();
+  REQUIRE(waitFor([&] { return cancelled.size() + work.written.size() == kFiles; }));
+  CHECK(work.failed.isEmpty());
+  CHECK(cancelled.size() > 1);  // the first may have been written already
+  for (const QString& path : paths) CHECK(QFile::exists(path) != cancelled.contains(path));
+  const QString later = work.torus.file("later.nii.gz");
+  work.document.exportResult(later, CoordinateSpace::lps);
+  CHECK(work.isWritten(later));
+}
+
 TEST_CASE("a format that cannot be made of the volume is told with its reason", "[document][measurements]") {
   OutputWork work;
   for (const char* ending : {".stl", ".nii.gz", ".seg.nrrd", ".3mf"})

@@ -1,6 +1,7 @@
 #include "ui/model/newest_job.h"
 
 #include "tests/support/catch.h"
+#include "ui/model/jobs_under_way.h"
 
 using namespace handlebody::ui;
 
@@ -25,4 +26,18 @@ TEST_CASE("of jobs of one kind only the newest is awaited, and only until it was
   jobs.end();
   CHECK_FALSE(jobs.isUnderWay());
   CHECK_FALSE(*third);
+}
+
+TEST_CASE("of jobs that all count all that are under way are cancelled together") {
+  JobsUnderWay jobs;
+  jobs.cancel();  // there is none
+  const StopFlag ended = jobs.begin(), first = jobs.begin(), second = jobs.begin();
+  CHECK_FALSE((*ended || *first || *second));
+  jobs.end(ended);
+  jobs.cancel();
+  CHECK_FALSE(*ended);
+  CHECK((*first && *second));
+  CHECK_FALSE(*jobs.begin());
+  jobs.end(first);
+  jobs.end(first);  // is not under way any more
 }

@@ -82,6 +82,7 @@ class ExportedObjectsWindowTest : public QObject {
   void picturesAndTablesAreNotWrittenIntoTheVolume();
   void whatIsBetteredIsChosenAndTold();
   void aNameIsProposedThatTheDialogTakesAsOne();
+  void ofSeveralFilesTheOneThatIsWrittenIsNamed();
 };
 
 void ExportedObjectsWindowTest::allAreExportedTogether() {
@@ -305,6 +306,29 @@ void ExportedObjectsWindowTest::aNameIsProposedThatTheDialogTakesAsOne() {
   QVERIFY(!saved.isEmpty() || saved.wait(kPatience));
   QCOMPARE(saved.first().first().toString(), folder.filePath("vol b_session.json"));
   QVERIFY(QFile::exists(folder.filePath("vol b_session.json")));
+}
+
+void ExportedObjectsWindowTest::ofSeveralFilesTheOneThatIsWrittenIsNamed() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  window->showStep(Command::stepExport);
+  ui::Document& document = window->document();
+  const auto told = [&] { return shownText(*window, "What is being written"); };
+  const auto why = [&] { return shownText(*window, "Why nothing is written"); };
+  Q_EMIT document.exporting("/a/long.stl");
+  QCOMPARE(told(), QString("Writing long.stl…"));
+  Q_EMIT document.exportPolishes("Object");
+  Q_EMIT document.exporting("/a/report.json");
+  QVERIFY2(told().startsWith("Bettering") && told().endsWith("Waiting: 1."), qPrintable(told()));
+  Q_EMIT document.exportFailed("The disk is full.");
+  QCOMPARE(told(), QString("Writing report.json…"));
+  Q_EMIT document.exported("/a/report.json");
+  QVERIFY(told().isEmpty());
+  QCOMPARE(why(), QString("The disk is full."));  // which goes when the next begins
+  Q_EMIT document.exporting("/a/again.stl");
+  QVERIFY(!told().isEmpty() && why().isEmpty());
+  Q_EMIT document.exportCancelled("/a/again.stl");
+  QVERIFY(told().isEmpty());
 }
 
 int main(int argc, char** argv) {

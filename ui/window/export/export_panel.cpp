@@ -30,6 +30,10 @@ namespace {
 
 const QString kCreator = QStringLiteral("creator");
 
+QString writing(const QString& path) {
+  return ExportPanel::tr("Writing %1…").arg(QFileInfo(path).fileName());
+}
+
 }  // namespace
 
 ExportPanel::ExportPanel(Document& document, const Commands& commands, QWidget* parent)
@@ -188,7 +192,7 @@ QWidget* ExportPanel::buildProgress() {
   row->addWidget(bar, 1);
   auto* cancel = new QPushButton(tr("Cancel"), part);
   cancel->setFocusPolicy(Qt::TabFocus);
-  describe(cancel, tr("Cancel writing"), tr("Nothing is left of the file"));
+  describe(cancel, tr("Cancel writing"), tr("Nothing is left of the file, nor of those that wait"));
   row->addWidget(cancel);
   column->addLayout(row);
   connect(cancel, &QPushButton::clicked, &document_, &Document::cancelExport);
@@ -197,35 +201,54 @@ QWidget* ExportPanel::buildProgress() {
 }
 
 void ExportPanel::connectProgress() {
-  connect(&document_, &Document::exporting, this, [this](const QString& path) {
-    writing_->setText(tr("Writing %1…").arg(QFileInfo(path).fileName()));
-    failed_.clear();
-    polished_->hide();
-    progress_->show();
-    showFault();
-  });
+  connect(&document_, &Document::exporting, this, &ExportPanel::begin);
   connect(&document_, &Document::exportPolishes, this, [this](const QString& object) {
-    writing_->setText(document_.objectCount() > 1 ? tr("Bettering the triangles of “%1”…").arg(object)
-                                                  : tr("Bettering the triangles…"));
+    showWork(document_.objectCount() > 1 ? tr("Bettering the triangles of “%1”…").arg(object)
+                                         : tr("Bettering the triangles…"));
   });
   connect(&document_, &Document::polished, this, [this](const QString& text) {
     polished_->setText(text);
     polished_->show();
   });
   connect(&document_, &Document::opened, polished_, &QWidget::hide);
-  const auto end = [this](const QString& failed) {
-    failed_ = failed;
-    progress_->hide();
-    showFault();
+  const auto fail = [this](const QString& why) {
+    failed_ = why;
+    end();
   };
-  connect(&document_, &Document::exported, this, [end] { end({}); });
+  connect(&document_, &Document::exported, this, &ExportPanel::end);
   connect(&document_, &Document::exportCancelled, this,
-          [end] { end(tr("It was cancelled: nothing was written.")); });
-  connect(&document_, &Document::exportFailed, this, end);
+          [fail] { fail(tr("It was cancelled: nothing was written.")); });
+  connect(&document_, &Document::exportFailed, this, fail);
   connect(&document_, &Document::exportRefused, this, [this](const QString& why) {
     failed_ = why;  // what is being written goes on
     showFault();
   });
+}
+
+//! What went wrong with those before it is read as long as one of them is under way.
+void ExportPanel::begin(const QString& path) {
+  if (underWay_.isEmpty()) {
+    failed_.clear();
+    polished_->hide();
+  }
+  underWay_ << path;
+  showWork(underWay_.size() > 1 ? work_ : writing(path));
+  showFault();
+}
+
+//! They are written in the order in which they began: it is the first that has ended.
+void ExportPanel::end() {
+  if (!underWay_.isEmpty()) underWay_.removeFirst();
+  showWork(underWay_.isEmpty() ? QString() : writing(underWay_.front()));
+  showFault();
+}
+
+//! Of the first of the files; how many come after it is said, too.
+void ExportPanel::showWork(const QString& work) {
+  work_ = work;
+  const auto waiting = underWay_.size() - 1;
+  writing_->setText(waiting > 0 ? work + QLatin1Char(' ') + tr("Waiting: %1.").arg(waiting) : work);
+  progress_->setVisible(waiting >= 0);
 }
 
 //! What speaks against the format, or what went wrong.

@@ -1,6 +1,7 @@
 #pragma once
 // Step 6: what is written, and how.
 
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 
@@ -54,6 +55,9 @@ class ExportPanel : public QWidget {
   void showManner();
   QWidget* buildProgress();
   void connectProgress();
+  void begin(const QString& path);
+  void end();
+  void showWork(const QString& work);
   void buildRest(const Commands& commands);
   void showWhatIsWritten();
   void showAllObjects();
@@ -63,7 +67,9 @@ class ExportPanel : public QWidget {
   QLabel *hint_, *numbers_, *fault_, *writing_, *polished_;
   QWidget* progress_;
   QCheckBox *anonymous_, *polish_;
-  QString failed_;  //!< what went wrong last with this format
+  QString failed_;        //!< what went wrong last with this format
+  QStringList underWay_;  //!< what is written, one after the other
+  QString work_;          //!< what is done to the first of them
   QComboBox *objects_, *format_, *picture_;
   QFormLayout* form_;
   QLineEdit *creator_, *description_;  //!< of DICOM files

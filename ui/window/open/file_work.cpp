@@ -142,12 +142,14 @@ void FileWork::connectMessages() {
   connect(&document_, &Document::polished, this, [this](const QString& text) { polished_ = text; });
   connect(&document_, &Document::leftOutOfLabelMap, this, [this](const QString& text) { leftOut_ = text; });
   connect(&document_, &Document::exported, this, [this, said](const QString& path) {
+    // The next file has its own.
+    const QString polished = std::exchange(polished_, {}), leftOut = std::exchange(leftOut_, {});
     QString written = tr("%1 is written.").arg(path);
-    if (!polished_.isEmpty()) written += QLatin1Char(' ') + polished_;
-    if (leftOut_.isEmpty())
+    if (!polished.isEmpty()) written += QLatin1Char(' ') + polished;
+    if (leftOut.isEmpty())
       said(written);
     else
-      messages_.show(MessageBar::Kind::warning, written + QLatin1Char(' ') + leftOut_);
+      messages_.show(MessageBar::Kind::warning, written + QLatin1Char(' ') + leftOut);
     afterWriting(true);
   });
   connect(&document_, &Document::exportCancelled, this, [this] { afterWriting(true); });
