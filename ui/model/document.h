@@ -175,9 +175,9 @@ class Document : public QObject {
   //! What is in a mesh (isMeshInputPath), or what is chosen of a label map of any format, as
   //! objects, in one undo entry: those that are done before the first object that has no surface yet, so that
   //! they are walls for it; else behind the others, the first of them active. Read and made on a worker
-  //! thread: openingObjects(), then objectsOpened(), openingObjectsFailed() or openingObjectsCancelled().
-  //! While a frame is corrected, and where there is work over time, openingObjectsFailed() at once. Nothing
-  //! without a volume.
+  //! thread: openingObjects(), then objectsOpened(), openingObjectsFailed() or openingObjectsCancelled(); of
+  //! those that are still being opened, and are given up for these, nothing more is told. While a frame is
+  //! corrected, and where there is work over time, openingObjectsFailed() at once. Nothing without a volume.
   void openObjects(const ObjectsToOpen& asked);
   void cancelOpeningObjects();
   //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes, pins

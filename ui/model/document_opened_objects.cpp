@@ -17,7 +17,8 @@ void Document::openObjects(const ObjectsToOpen& asked) {
   cancelOpeningObjects();
   const StopFlag flag = d_->openingObjects.begin();
   Q_EMIT openingObjects(asked.path);
-  d_->files.post([this, asked, grid = volume().grid, stop = flag, known = d_->hash] {
+  d_->files.post([this, asked, grid = volume().grid, stop = flag, number = d_->openingObjects.number(),
+                  known = d_->hash] {
     auto opened = std::make_shared<std::vector<OpenedObject>>();
     QString failed;
     try {
@@ -29,8 +30,9 @@ void Document::openObjects(const ObjectsToOpen& asked) {
     }
     QMetaObject::invokeMethod(
         this,
-        [this, asked, opened, failed, stop, known] {
-          if (*stop || known != d_->hash)  // they were meant for what was open
+        [this, asked, opened, failed, stop, number, known] {
+          if (number != d_->openingObjects.number()) return;  // others are being opened in their place
+          if (*stop || known != d_->hash)                     // they were meant for what was open
             Q_EMIT openingObjectsCancelled();
           else if (const QString fault = failed.isEmpty() ? d_->addFault() : failed; !fault.isEmpty())
             Q_EMIT openingObjectsFailed(fault);

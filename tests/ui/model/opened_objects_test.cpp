@@ -376,6 +376,19 @@ TEST_CASE("what is no object of this volume is refused in a sentence, and nothin
   }
 }
 
+TEST_CASE("of objects in whose place others are opened nothing is told", "[objects][opened]") {
+  OpeningWork work;
+  QStringList begun;
+  QObject::connect(&work.document, &Document::openingObjects, [&](const QString& p) { begun << p; });
+  const QString labels = ballsAndRing(work.torus), ball = work.ball();
+  work.document.openObjects({labels});
+  CHECK(work.open(ball, OpenAs::done));
+  CHECK_FALSE(work.wasCancelled);  // it would end what is shown of the second
+  CHECK(begun == QStringList{labels, ball});
+  CHECK(work.opened.size() == 1);
+  CHECK(work.document.objectCount() == 2);
+}
+
 TEST_CASE("objects go into the volume that they were opened for, or nowhere", "[objects][opened]") {
   OpeningWork work;
   const QString ball = work.ball();
