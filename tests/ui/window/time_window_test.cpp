@@ -3,7 +3,9 @@
 
 #include <QCheckBox>
 #include <QMessageBox>
+#include <QSemaphore>
 #include <QTableWidget>
+#include <QThreadPool>
 #include <QTimer>
 
 #include "tests/ui/window/layout_support.h"
@@ -16,6 +18,7 @@
 #include "ui/window/time/over_time_panel.h"
 #include "ui/window/time/volume_plot.h"
 #include "ui/window/timeline/timeline_axis.h"
+#include "ui/window/tune/histogram_view.h"
 #include "ui/window/widgets/language.h"
 
 using namespace handlebody;
@@ -39,6 +42,27 @@ std::unique_ptr<ui::MainWindow> grownWindow(const BeatingSample& sample) {
   return waitFor(*window, GrowthState::finished) ? std::move(window) : nullptr;
 }
 
+//! Nothing that inBackground() is given begins while it lives.
+class BusyPool {
+ public:
+  BusyPool() : threads_(pool_.maxThreadCount()) {
+    pool_.setMaxThreadCount(1);
+    pool_.start([this] { end_.acquire(); });
+  }
+  ~BusyPool() {
+    end_.release();
+    pool_.waitForDone();
+    pool_.setMaxThreadCount(threads_);
+  }
+  BusyPool(const BusyPool&) = delete;
+  BusyPool& operator=(const BusyPool&) = delete;
+
+ private:
+  QThreadPool& pool_ = *QThreadPool::globalInstance();
+  const int threads_;
+  QSemaphore end_;
+};
+
 bool carry(ui::MainWindow& window) {
   window.commands()[Command::carryOverTime]->trigger();
   return QTest::qWaitFor([&] { return !window.document().time().isCarrying(); }, kPatience) &&
@@ -55,6 +79,7 @@ class TimeWindowTest : public QObject {
   void theBarIsForVolumesWithTimeOnly();
   void mouseAndKeysGoThroughTime();
   void theTintIsOfTheFrameThatIsGrownInAlone();
+  void theHistogramIsOfTheVolumeThatWasOpenedLast();
   void aClickInThePlotGoesToTheFrame();
   void aFrameIsCorrectedAndTheRestIsCarriedAgain();
   void oneButtonTellsTheSensitivity();
@@ -113,6 +138,25 @@ void TimeWindowTest::theTintIsOfTheFrameThatIsGrownInAlone() {
   window->document().time().show(0);
   QVERIFY(shows(*window, 0));
   QVERIFY(window->viewState().tint());
+}
+
+//! Also where another frame is shown when its intensities have been counted.
+void TimeWindowTest::theHistogramIsOfTheVolumeThatWasOpenedLast() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  const auto* view = window->findChild<ui::HistogramView*>();
+  QVERIFY(view);
+  QTRY_VERIFY(!view->histogram().counts.empty());
+  std::vector<double> counts;
+  {
+    const BusyPool busy;
+    QVERIFY(open(*window, sample_.volume));
+    QVERIFY(view->histogram().counts.empty());
+    counts = ui::histogramOf(window->document().volume()).counts;
+    window->document().time().show(2);
+    QVERIFY(shows(*window, 2));
+  }
+  QTRY_VERIFY(view->histogram().counts == counts);
 }
 
 void TimeWindowTest::aClickInThePlotGoesToTheFrame() {

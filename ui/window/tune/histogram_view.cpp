@@ -66,7 +66,7 @@ double HistogramView::toIntensity(double x) const {
 double HistogramView::valueOf(End end) const { return end == End::low ? range_->low : range_->high; }
 
 HistogramView::End HistogramView::endAt(double x) const {
-  if (!range_) return End::none;
+  if (!range_ || histogram_.counts.empty()) return End::none;
   const double low = std::abs(x - toX(range_->low)), high = std::abs(x - toX(range_->high));
   if (std::min(low, high) > kReach) return End::none;
   return low <= high ? End::low : End::high;
@@ -108,7 +108,7 @@ void HistogramView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
     active_ = event->key() == Qt::Key_Up ? End::high : End::low;
     update();
-  } else if (direction != 0 && range_) {
+  } else if (direction != 0 && range_ && !histogram_.counts.empty()) {
     if (active_ == End::none) active_ = End::high;
     const double step = (histogram_.high - histogram_.low) / 200;
     const double from = std::clamp(valueOf(active_), histogram_.low, histogram_.high);

@@ -17,7 +17,9 @@ class HistogramView : public QWidget {
  public:
   explicit HistogramView(QWidget* parent = nullptr);
 
+  //! Without counts nothing is drawn, and no end can be moved.
   void setHistogram(const Histogram& histogram);
+  const Histogram& histogram() const { return histogram_; }
   //! `automatic`: it was chosen by the program (drawn with dashed ends). None: nothing is known yet.
   void setRange(const std::optional<IntensityRange>& range, bool automatic);
   //! What the mouse has hold of is let go.

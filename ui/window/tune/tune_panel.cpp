@@ -240,16 +240,20 @@ void TunePanel::updateTint() {
 
 void TunePanel::countIntensities() {
   keepTint_->setChecked(false);
+  showHistogram({}, 0);
   inBackground(
       this, [volume = document_.volume()] { return histogramOf(volume); },
-      [this, voxels = document_.volume().voxels](const Histogram& histogram) {
-        const bool current = document_.hasVolume() && document_.volume().voxels == voxels;
-        if (!current) return;
-        histogram_->setHistogram(histogram);
-        const QSignalBlocker quietLow(low_), quietHigh(high_);  // what is rounded is no entry
-        for (IntensityField* field : {low_, high_}) field->setScale(histogram.high - histogram.low);
-        showRange();
+      [this, number = ++opened_](const Histogram& histogram) {
+        if (number == opened_) showHistogram(histogram, histogram.high - histogram.low);
       });
+}
+
+//! `width`: of the intensities; 0: not known.
+void TunePanel::showHistogram(const Histogram& histogram, double width) {
+  histogram_->setHistogram(histogram);
+  const QSignalBlocker quietLow(low_), quietHigh(high_);  // what is rounded is no entry
+  for (IntensityField* field : {low_, high_}) field->setScale(width);
+  showRange();
 }
 
 void TunePanel::boundLengths() {

@@ -18,6 +18,7 @@ namespace handlebody::ui {
 class Document;
 class HistogramView;
 class IntensityField;
+struct Histogram;
 class ValueField;
 struct ValueSpec;
 class ViewState;
@@ -44,6 +45,7 @@ class TunePanel : public QWidget {
   void updateTint();
   void boundLengths();
   void countIntensities();
+  void showHistogram(const Histogram& histogram, double width);
   void show();
   void showRange();
 
@@ -57,6 +59,7 @@ class TunePanel : public QWidget {
   QToolButton* automaticRange_;
   QCheckBox* keepTint_;
   QTimer* tintEnds_;
+  int opened_ = 0;  //!< number of the volume whose intensities are counted
   ValueField *smoothing_, *edgeLength_, *balloon_, *curvature_, *maxIterations_;
 };
 
