@@ -33,7 +33,7 @@ void ViewState::startWith(const Volume& volume) {
   const Grid& grid = volume.grid;
   setTint(std::nullopt);
   markLoops({});
-  setDistances(nullptr);
+  for (DistancesOf whose : {DistancesOf::comparison, DistancesOf::sensitivity}) setDistances(whose, nullptr);
   brush_.startWith(grid);
   measure_.reset();
   setAutomaticWindow(volume);
@@ -56,10 +56,15 @@ void ViewState::markLoops(const std::vector<MarkedLoop>& loops) {
   Q_EMIT markedLoopsChanged();
 }
 
-void ViewState::setDistances(std::shared_ptr<const DistanceColours> distances) {
-  if (distances_ == distances) return;
-  distances_ = std::move(distances);
-  Q_EMIT distancesChanged();
+std::shared_ptr<const DistanceColours> ViewState::distances() const {
+  return distances_.empty() ? nullptr : distances_.back().second;
+}
+
+void ViewState::setDistances(DistancesOf whose, std::shared_ptr<const DistanceColours> colours) {
+  const auto before = distances();
+  std::erase_if(distances_, [&](const auto& entry) { return entry.first == whose; });
+  if (colours) distances_.emplace_back(whose, std::move(colours));
+  if (distances() != before) Q_EMIT distancesChanged();
 }
 
 int ViewState::nextGesture() {

@@ -6,6 +6,7 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/evolution/object_image.h"
@@ -42,6 +43,8 @@ struct Tint {
 };
 
 struct DistanceColours;
+//! Who colours the surface by distances.
+enum class DistancesOf { comparison, sensitivity };
 
 class ViewState : public QObject {
   Q_OBJECT
@@ -85,9 +88,11 @@ class ViewState : public QObject {
   const std::vector<MarkedLoop>& markedLoops() const { return markedLoops_; }
   void markLoops(const std::vector<MarkedLoop>& loops);
 
-  //! Drawn on the surface that they are of, in place of the colours of meshColouring(); null: none.
-  const std::shared_ptr<const DistanceColours>& distances() const { return distances_; }
-  void setDistances(std::shared_ptr<const DistanceColours> distances);
+  //! Drawn on the surface that they are of, in place of the colours of meshColouring(): what was set last and
+  //! was not taken away; null: none.
+  std::shared_ptr<const DistanceColours> distances() const;
+  //! Null takes away what that one has set; what another one has set stays, or is seen again.
+  void setDistances(DistancesOf whose, std::shared_ptr<const DistanceColours> colours);
 
   //! A number for Document::moveSeed() and its like that no other drag has.
   static int nextGesture();
@@ -112,7 +117,7 @@ class ViewState : public QObject {
   bool showsConstraints_ = true;
   std::optional<Tint> tint_;
   std::vector<MarkedLoop> markedLoops_;
-  std::shared_ptr<const DistanceColours> distances_;
+  std::vector<std::pair<DistancesOf, std::shared_ptr<const DistanceColours>>> distances_;  //!< the last: seen
   Brush brush_;
   MeasureTool measure_;
 };

@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QProcess>
 #include <QProgressBar>
+#include <QSpinBox>
 #include <QTableWidget>
 #include <QUndoStack>
 #include <algorithm>
@@ -32,6 +33,7 @@
 #include "ui/window/measures/object_measures_page.h"
 #include "ui/window/measures/rulers_page.h"
 #include "ui/window/measures/section_plot.h"
+#include "ui/window/measures/sensitivity_page.h"
 #include "ui/window/widgets/language.h"
 #include "ui/window/widgets/numbers.h"
 
@@ -168,6 +170,7 @@ class MeasuresTest : public QObject {
   void theBrushAndTheRulerDoNotHaveTheMouseBoth();
   void aCentreLineIsPlottedAndPointedAtInTheViews();
   void aReferenceIsComparedAndItsDistancesAreInColour();
+  void twoPagesDoNotTakeTheColoursOfOneAnotherAway();
   void aLabelOfAReferenceIsChosenByItsName();
   void labelsThatCannotBeListedSayWhy();
   void anotherObjectIsTheReference();
@@ -394,6 +397,48 @@ void MeasuresTest::aReferenceIsComparedAndItsDistancesAreInColour() {
   QVERIFY(QTest::qWaitFor([&] { return !page.isComparing(); }, kPatience));
   QVERIFY(!page.shown() && !window->viewState().distances());
   QVERIFY(shownText(*window, "State of the comparison").contains("bar.nii.gz"));
+}
+
+//! Distances from a reference have a sign, those of the sensitivity have none.
+void MeasuresTest::twoPagesDoNotTakeTheColoursOfOneAnotherAway() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  const QString path = folder.filePath("reference.ply");
+  writeMesh(icosphere(Vec3(28, 16, 16), 9, 0.8), path.toStdString());
+  const auto colours = [&] { return window->viewState().distances(); };
+  ui::ComparePage& compared = shownComparePage(*window);
+  compared.compareWith(path);
+  QVERIFY(isCompared(compared));
+  QVERIFY(colours() && colours()->isSigned);
+  window->measures().show(MeasuresPanel::Page::sensitivity);
+  ui::SensitivityPage& sensed = window->measures().sensitivity();
+  sensed.findChild<QSpinBox*>()->setValue(2);
+  sensed.start();
+  QVERIFY(sensed.isAsking());
+  QVERIFY(QTest::qWaitFor([&] { return !sensed.isAsking(); }, kPatience));
+  QVERIFY(sensed.shown() && sensed.shown()->grown > 0);
+  QVERIFY(colours() && !colours()->isSigned);
+
+  auto *ofCompared = compared.findChild<QCheckBox*>(), *ofSensed = sensed.findChild<QCheckBox*>();
+  ofCompared->click();
+  QVERIFY(colours() && !colours()->isSigned);
+  ofCompared->click();
+  QVERIFY(colours() && colours()->isSigned);
+  ofSensed->click();
+  QVERIFY(colours() && colours()->isSigned);
+  ofSensed->click();
+  QVERIFY(colours() && !colours()->isSigned);
+  ofSensed->click();  // what is ticked still is seen again
+  QVERIFY(colours() && colours()->isSigned);
+
+  ofCompared->click();
+  ofSensed->click();
+  QVERIFY(colours() && !colours()->isSigned);
+  sensed.start();  // they go with the figures
+  QVERIFY(sensed.isAsking() && !sensed.shown() && !colours());
+  buttonOf(sensed, "Cancel")->click();
+  QVERIFY(!sensed.isAsking() && !colours());
 }
 
 void MeasuresTest::aLabelOfAReferenceIsChosenByItsName() {

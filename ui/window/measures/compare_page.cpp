@@ -319,7 +319,7 @@ void ComparePage::clear() {
   isComparing_ = false;
   answer_ = {};
   compared_.reset();
-  state_.setDistances(nullptr);
+  colour();
   showTable();
 }
 
@@ -351,9 +351,9 @@ void ComparePage::saveDistances() {
 void ComparePage::colour() {
   const bool any = colours_->isChecked() && compared_ && !answer_.distances.empty() &&
                    answer_.distances.size() == compared_->mesh.points.size();
-  state_.setDistances(any ? std::make_shared<const DistanceColours>(
-                                distanceColours(compared_, answer_.distances, answer_.isSigned))
-                          : nullptr);
+  if (!any) return state_.setDistances(DistancesOf::comparison, nullptr);
+  DistanceColours colours = distanceColours(compared_, answer_.distances, answer_.isSigned);
+  state_.setDistances(DistancesOf::comparison, std::make_shared<const DistanceColours>(std::move(colours)));
 }
 
 void ComparePage::showTable() {

@@ -107,6 +107,7 @@ void SensitivityPage::startOrCancel() {
 void SensitivityPage::start() {
   if (isAsking_ || !sensitivityFault(document_).isEmpty()) return;
   answer_ = {};
+  colour();
   showTable();
   asked_ = document_.snapshot();
   isAsking_ = true;
@@ -146,20 +147,19 @@ void SensitivityPage::forget() {
   sensor_.cancel();
   isAsking_ = false;
   answer_ = {};
-  if (asked_) state_.setDistances(nullptr);
+  colour();
   asked_.reset();
   showTable();
   showState();
 }
 
 void SensitivityPage::colour() {
-  if (!asked_) return;
-  const bool any = colours_->isChecked() && answer_.found && answer_.found->grown > 0 &&
+  const bool any = colours_->isChecked() && asked_ && answer_.found && answer_.found->grown > 0 &&
                    answer_.found->spread.size() == asked_->mesh.points.size();
-  if (!any) return state_.setDistances(nullptr);
+  if (!any) return state_.setDistances(DistancesOf::sensitivity, nullptr);
   DistanceColours colours = distanceColours(asked_, answer_.found->spread, false);
   colours.title = tr("moves by");
-  state_.setDistances(std::make_shared<const DistanceColours>(std::move(colours)));
+  state_.setDistances(DistancesOf::sensitivity, std::make_shared<const DistanceColours>(std::move(colours)));
 }
 
 void SensitivityPage::showTable() {
