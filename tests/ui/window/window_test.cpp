@@ -42,6 +42,17 @@ QByteArray contentOf(const QString& path) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+// Says nothing of the size of its voxels. False: it could not be written.
+bool writeCine(const QString& path) {
+  Slice s;
+  s.frames = 5;
+  s.placed = false;
+  s.frameTime = 33;
+  const QByteArray bytes = QByteArray::fromStdString(dicomBytes(s, "1.2"));
+  QFile file(path);
+  return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+}
+
 // Runs the growth of the open session to its end with Space.
 bool growToTheEnd(ui::MainWindow& window) {
   QTest::keyClick(&window, Qt::Key_Space);
@@ -62,6 +73,7 @@ class WindowTest : public QObject {
   void onlyWhatCouldBeOpenedStandsAmongTheRecent();
   void badFilesLeaveTheOpenWorkAlone();
   void aCineIsOfferedASpacingInEveryLanguage();
+  void theSpacingThatIsEnteredIsOfTheFileThatLacksIt();
   void twoStacksUnderOneUidAreAChoice();
   void anUncalibratedVolumeTakesTheSpacingThatIsGiven();
   void savingTheSampleAsksForANameAndLeavesItAsItIs();
@@ -237,15 +249,9 @@ void WindowTest::badFilesLeaveTheOpenWorkAlone() {
 void WindowTest::aCineIsOfferedASpacingInEveryLanguage() {
   const QTemporaryDir folder;
   const QString cine = folder.filePath("cine.dcm"), text = folder.filePath("text.nii");
-  Slice s;
-  s.frames = 5;
-  s.placed = false;
-  s.frameTime = 33;
-  QFile cineFile(cine), textFile(text);
-  QVERIFY(cineFile.open(QIODevice::WriteOnly) && textFile.open(QIODevice::WriteOnly));
-  cineFile.write(QByteArray::fromStdString(dicomBytes(s, "1.2")));
+  QFile textFile(text);
+  QVERIFY(writeCine(cine) && textFile.open(QIODevice::WriteOnly));
   textFile.write("not a volume");
-  cineFile.close();
   textFile.close();
   for (const char* language : {"en", "de"}) {
     ui::useLanguage(QString::fromLatin1(language));
@@ -262,6 +268,26 @@ void WindowTest::aCineIsOfferedASpacingInEveryLanguage() {
     }
   }
   ui::useLanguage(QStringLiteral("en"));
+}
+
+//! Also where another one is being opened when the offer is taken.
+void WindowTest::theSpacingThatIsEnteredIsOfTheFileThatLacksIt() {
+  const QTemporaryDir folder;
+  const QString cine = folder.filePath("cine.dcm");
+  auto window = shownWindow();
+  QVERIFY(window && writeCine(cine));
+  QSignalSpy failed(&window->document(), &ui::Document::openFailed),
+      opened(&window->document(), &ui::Document::opened),
+      asked(&window->files(), &ui::FileWork::spacingNeeded);
+  window->files().open(cine);
+  QVERIFY(!failed.isEmpty() || failed.wait(kPatience));
+  window->files().open(sample("cyst.nii.gz"));
+  QAbstractButton* offer = buttonSaying(*window, "Enter the spacing");
+  QVERIFY(offer && offer->isVisible());
+  offer->click();
+  QCOMPARE(asked.size(), 1);
+  QCOMPARE(asked.front().front().toString(), cine);
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
 }
 
 void WindowTest::twoStacksUnderOneUidAreAChoice() {

@@ -316,7 +316,9 @@ void FileWork::give(const QString& path) {
 void FileWork::sayOpenFailed(const QString& sentence, bool needsSpacing) {
   std::vector<MessageBar::Answer> answers;
   if (needsSpacing)
-    answers.push_back({tr("Enter the spacing"), [this] { Q_EMIT spacingNeeded(asked_, askedSelection_); }});
+    answers.push_back({tr("Enter the spacing"), [this, path = asked_, selection = askedSelection_] {
+                         Q_EMIT spacingNeeded(path, selection);
+                       }});
   messages_.show(MessageBar::Kind::error, sentence, answers);
 }
 
