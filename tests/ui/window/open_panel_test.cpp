@@ -17,6 +17,7 @@ class OpenPanelTest : public QObject {
  private Q_SLOTS:
   void anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered();
   void aCalibratedVolumeAsksForNoSpacing();
+  void whatIsOpenIsStillToldWhileAnotherFileAsksForItsSpacing();
   void aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen();
   void aSeriesWithoutAUidCanBeChosen();
   void warningsNameFieldsInTheirPlaceOfOptions();
@@ -62,6 +63,17 @@ void OpenPanelTest::aCalibratedVolumeAsksForNoSpacing() {
   window->showStep(Command::stepOpen);
   const QDoubleSpinBox* field = numberField(*window, "Spacing of rows");
   QVERIFY(field && !field->isVisible());
+}
+
+void OpenPanelTest::whatIsOpenIsStillToldWhileAnotherFileAsksForItsSpacing() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  window->showStep(Command::stepOpen);
+  const QString format = shownText(*window, "Format");
+  QVERIFY(!format.isEmpty());
+  Q_EMIT window->files().spacingNeeded(QStringLiteral("/somewhere/cine.dcm"), {});
+  QCOMPARE(shownText(*window, "File without a spacing"), QString("cine.dcm"));
+  QCOMPARE(shownText(*window, "Format"), format);
 }
 
 void OpenPanelTest::aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen() {

@@ -146,8 +146,7 @@ void OpenPanel::openSeries() {
 void OpenPanel::askSpacing(const QString& path, const VolumeSelection& selection) {
   spacingPath_ = path;
   spacingSelection_ = selection;
-  facts_->hide();  // of another volume
-  spacingEntry_->show(Vec3(1, 1, 1));
+  spacingEntry_->show(path, Vec3(1, 1, 1));
   spacingEntry_->setFocus(Qt::TabFocusReason);  // the number is selected: it can be typed at once
 }
 
@@ -162,7 +161,7 @@ void OpenPanel::offerSpacing() {
   spacingSelection_ = document_.selection();
   const bool open = !document_.info().calibrated || spacingSelection_.spacing;
   if (open)
-    spacingEntry_->show(document_.volume().grid.spacing);
+    spacingEntry_->show(spacingPath_, document_.volume().grid.spacing);
   else
     spacingEntry_->hide();
 }

@@ -1,10 +1,12 @@
 #include "ui/window/open/spacing_entry.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "ui/window/widgets/decimal_field.h"
+#include "ui/window/widgets/eliding_label.h"
 #include "ui/window/widgets/panel_tools.h"
 
 namespace handlebody::ui {
@@ -33,6 +35,10 @@ SpacingEntry::SpacingEntry(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(heading(tr("Size of a voxel"), this));
+  file_ = new ElidingLabel(this);
+  file_->setAccessibleName(tr("File without a spacing"));
+  file_->setTextFormat(Qt::PlainText);
+  layout->addWidget(file_);
   layout->addWidget(
       hint(tr("The file does not give it. Lengths and volumes are right only with the true spacing along "
               "columns, rows and slices."),
@@ -49,7 +55,9 @@ SpacingEntry::SpacingEntry(QWidget* parent) : QWidget(parent) {
   connect(use, &QPushButton::clicked, this, [this] { Q_EMIT entered(spacing()); });
 }
 
-void SpacingEntry::show(const Vec3& spacing) {
+void SpacingEntry::show(const QString& path, const Vec3& spacing) {
+  file_->setText(QFileInfo(path).fileName());
+  file_->setToolTip(path);
   for (std::size_t axis = 0; axis < 3; ++axis) axes_[axis]->setValue(spacing[static_cast<int>(axis)]);
   QWidget::show();
 }

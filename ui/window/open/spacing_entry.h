@@ -7,6 +7,7 @@
 #include "core/geometry/vec.h"
 
 class QDoubleSpinBox;
+class QLabel;
 
 namespace handlebody::ui {
 
@@ -16,14 +17,15 @@ class SpacingEntry : public QWidget {
  public:
   explicit SpacingEntry(QWidget* parent = nullptr);
 
-  //! mm along the three axes of the volume.
-  void show(const Vec3& spacing);
+  //! mm along the three axes of the volume at `path`.
+  void show(const QString& path, const Vec3& spacing);
   Vec3 spacing() const;
 
  Q_SIGNALS:
   void entered(const handlebody::Vec3& spacing);
 
  private:
+  QLabel* file_;
   std::array<QDoubleSpinBox*, 3> axes_;
 };
 
