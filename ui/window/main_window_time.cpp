@@ -1,7 +1,6 @@
 // Time in the window: the bar under the views, what is carried over it, its commands.
 
 #include <QDockWidget>
-#include <QMessageBox>
 
 #include "ui/model/time_series.h"
 #include "ui/window/export/export_panel.h"
@@ -71,12 +70,15 @@ void MainWindow::connectTimeCommands() {
 
 //! What the active object has grown to is meant to go, and what that is is seen; of others it is not.
 void MainWindow::growHere() {
+  TimeSeries& time = document_.time();
+  time.play(false);
+  const int frame = time.shownFrame();
   const QStringList lost = document_.lostElsewhere();
   const QString question =
       tr("These objects lose their surfaces, too, and undo does not bring them back: %1. Grow in this frame?")
           .arg(lost.join(tr(", ")));
-  if (lost.isEmpty() || QMessageBox::question(this, tr("Grow in this frame"), question) == QMessageBox::Yes)
-    document_.growInShownFrame();
+  if (!lost.isEmpty() && !files_->isAgreed(tr("Grow in this frame"), question)) return;
+  if (time.shownFrame() == frame) document_.growInShownFrame();  // one that was read meanwhile is another one
 }
 
 void MainWindow::updateTimeCommands() {

@@ -84,6 +84,7 @@ class TimeWindowTest : public QObject {
   void aFrameIsCorrectedAndTheRestIsCarriedAgain();
   void oneButtonTellsTheSensitivity();
   void growingHereAsksWhereAnotherObjectLosesItsSurface();
+  void nothingTakesThePlaceOfWhatIsAskedAbout();
   void aFrameThatFailsIsToldInTheLanguageOfTheWindow();
   void nothingIsCutOffInAnyLanguage();
 
@@ -237,6 +238,32 @@ void TimeWindowTest::growingHereAsksWhereAnotherObjectLosesItsSurface() {
   QCOMPARE(document.time().grownFrame(), 0);
   QVERIFY(answer(QMessageBox::Yes).contains(name));
   QCOMPARE(document.time().grownFrame(), 2);
+}
+
+void TimeWindowTest::nothingTakesThePlaceOfWhatIsAskedAbout() {
+  auto window = grownWindow(sample_);
+  QVERIFY(window);
+  ui::Document& document = window->document();
+  document.addObject();
+  document.time().show(2);
+  QVERIFY(shows(*window, 2));
+  QSignalSpy opened(&document, &ui::Document::opened);
+  document.open(sample("cyst.nii.gz"));
+  QTimer timer;
+  connect(&timer, &QTimer::timeout, window.get(), [&document] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!box) return;
+    if (auto* discard = box->button(QMessageBox::Discard))
+      discard->click();  // of what is changed then
+    else if (!document.isOpening() || document.isOpeningWaiting())
+      box->button(QMessageBox::Yes)->click();
+  });
+  timer.start(100);
+  window->commands()[Command::growHere]->trigger();
+  QVERIFY(opened.isEmpty());
+  QCOMPARE(document.time().grownFrame(), 2);
+  QVERIFY(opened.wait(kPatience));
+  QVERIFY(!document.time().hasTime());
 }
 
 void TimeWindowTest::aFrameThatFailsIsToldInTheLanguageOfTheWindow() {

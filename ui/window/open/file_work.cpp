@@ -366,6 +366,11 @@ void FileWork::whenSaved(std::function<void()> next, const std::function<void()>
   }
 }
 
+bool FileWork::isAgreed(const QString& title, const QString& question) {
+  const Asking asking(*this);
+  return QMessageBox::question(window_, title, question) == QMessageBox::Yes;
+}
+
 void FileWork::closeWindow() { QMetaObject::invokeMethod(window_, &QWidget::close, Qt::QueuedConnection); }
 
 //! The window stays where a file could not be written: else nobody would read why.

@@ -53,6 +53,8 @@ class FileWork : public QObject {
   //! True if the window may close now. Else a file is being written, after which it closes, or it asks about
   //! unsaved work, and closes the window when the answer is carried out.
   bool mayClose();
+  //! True: the user says yes. What is read meanwhile waits: the question is about the work that is open.
+  bool isAgreed(const QString& title, const QString& question);
   //! Offers work that a crash left behind.
   void offerRecovery();
 
