@@ -40,7 +40,10 @@ void MainWindow::connectCorrectCommands() {
     after.pins.clear();
     document_.setConstraints(after, tr("Remove all pins"));
   });
-  connect(&state_.brush(), &Brush::changed, this, &MainWindow::updateWallCommands);
+  connect(&state_.brush(), &Brush::changed, this, [this] {
+    updateWallCommands();
+    updateObjectCommands();  // of a locked one those of the brush cannot be given
+  });
   connect(&document_, &Document::constraintsChanged, this, &MainWindow::updateCommands);
   connect(&document_, &Document::wallConflictChanged, this, &MainWindow::showWallConflict);
 }

@@ -48,6 +48,7 @@ class ObjectsWindowTest : public QObject {
   void withOneObjectTheListIsOutOfTheWay();
   void twoObjectsGrowOneAfterTheOther();
   void theListIsDrivenByMouseAndKeys();
+  void aLockedObjectStaysSoWhenTheBrushIsAnotherOne();
   void theTableOfEventsIsThatOfTheActiveObject();
   void propertiesAreChangedInADialog();
   void theChosenColourOfASingleObjectIsThatOfItsOutline();
@@ -136,6 +137,23 @@ void ObjectsWindowTest::theListIsDrivenByMouseAndKeys() {
   QCOMPARE(document.objectCount(), 2);
   QTest::keyClick(window.get(), Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
   QCOMPARE(document.objectCount(), 3);
+}
+
+void ObjectsWindowTest::aLockedObjectStaysSoWhenTheBrushIsAnotherOne() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  QAction *paint = window->commands()[Command::paintWalls],
+          *atCrosshair = window->commands()[Command::wallAtCrosshair];
+  QVERIFY(paint->isEnabled() && atCrosshair->isEnabled());
+  window->document().setObjectLocked(0, true);
+  QVERIFY(!paint->isEnabled() && !atCrosshair->isEnabled());
+  const double radius = window->viewState().brush().radius();
+  window->commands()[Command::largerBrush]->trigger();
+  QVERIFY(window->viewState().brush().radius() > radius);
+  QVERIFY(!paint->isEnabled() && !atCrosshair->isEnabled());
+  window->document().setObjectLocked(0, false);
+  QVERIFY(paint->isEnabled() && atCrosshair->isEnabled());
 }
 
 //! Also where the two have equally many.
