@@ -12,7 +12,9 @@
 #include "tests/ui/dumbbell.h"
 #include "tests/ui/window/two_balls.h"
 #include "ui/window/objects/object_dialog.h"
+#include "ui/window/timeline/event_inspector.h"
 #include "ui/window/timeline/event_table.h"
+#include "ui/window/widgets/numbers.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -39,6 +41,28 @@ bool hasColour(const QImage& picture, const QColor& colour) {
   return count > 20;
 }
 
+//! Of the active object, after its first step; the number of the event that is inspected then, -1 if none is.
+int cutBall(ui::MainWindow& window, const Vec3& middle) {
+  ui::Document& document = window.document();
+  document.addSeed({middle, 4.0});
+  document.stepForward();
+  const auto isAt = [&](int iteration) {
+    return QTest::qWaitFor(
+        [&] {
+          const bool rests =
+              document.state() == GrowthState::paused || document.state() == GrowthState::finished;
+          return document.iteration() == iteration && rests;
+        },
+        kPatience);
+  };
+  if (!isAt(1)) return -1;
+  MeshEdit cut{0, MeshEditKind::cut, middle + Vec3(0.3, 0.2, 0.7)};
+  cut.vector = Vec3(1, 2, 9);
+  cut.keep = KeptSide::negative;
+  document.editMesh(cut);
+  return isAt(2) ? window.inspector().event() : -1;
+}
+
 }  // namespace
 
 class ObjectsWindowTest : public QObject {
@@ -50,6 +74,7 @@ class ObjectsWindowTest : public QObject {
   void theListIsDrivenByMouseAndKeys();
   void aLockedObjectStaysSoWhenTheBrushIsAnotherOne();
   void theTableOfEventsIsThatOfTheActiveObject();
+  void theInspectedEventIsThatOfTheActiveObject();
   void propertiesAreChangedInADialog();
   void theChosenColourOfASingleObjectIsThatOfItsOutline();
   void aTermOfAFileStandsFirstUntilAnotherIsChosen();
@@ -168,6 +193,28 @@ void ObjectsWindowTest::theTableOfEventsIsThatOfTheActiveObject() {
   window->document().setActiveObject(0);
   QVERIFY(!reset.isEmpty());
   QCOMPARE(events->rowCount(), 0);
+}
+
+//! Also where that of the other one has the same number and iteration.
+void ObjectsWindowTest::theInspectedEventIsThatOfTheActiveObject() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  ui::Document& document = window->document();
+  const int first = cutBall(*window, kLeft);
+  QVERIFY(first >= 0);
+  document.addObject();
+  QCOMPARE(cutBall(*window, kRight), first);
+  window->showStep(Command::stepGrow);
+  const auto isTold = [&] {
+    const Event& event = document.events().at(static_cast<std::size_t>(first));
+    return shownText(*window, "Event").contains(ui::place(event.location, document.volume().grid));
+  };
+  QVERIFY(isTold());
+  document.setActiveObject(0);
+  QCOMPARE(document.iteration(), 2);
+  QCOMPARE(window->inspector().event(), first);
+  QVERIFY(isTold());
 }
 
 void ObjectsWindowTest::propertiesAreChangedInADialog() {

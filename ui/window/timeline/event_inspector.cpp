@@ -123,6 +123,8 @@ EventInspector::EventInspector(Document& document, SurfaceView& surface, QWidget
   connect(constrain_, &QPushButton::clicked, this, &EventInspector::constrain);
   connect(stage_, &QButtonGroup::idClicked, this, [this](int id) { showStage(kStages[id]); });
   connect(&document_, &Document::eventTraced, this, &EventInspector::receive);
+  // Of another object: its events have the same numbers.
+  connect(&document_, &Document::activeObjectChanged, this, [this] { setEvent(-1); });
   connect(&document_, &Document::snapshotChanged, this, &EventInspector::followIteration);
   connect(&document_, &Document::summariesChanged, this, &EventInspector::followIteration);
   connect(&document_, &Document::stateChanged, this, &EventInspector::followIteration);
