@@ -41,6 +41,12 @@ TriangleSoup grownAgain(const GrownFrom& from, const Perturbation& by, std::mt19
   return contour.mesh().compact();
 }
 
+template <typename Error>
+void failWith(const Error& error, PerturbedRun& run) {
+  run.failure = error.what();
+  run.why = findingOf(error);
+}
+
 Grown oneRun(const TriangleSoup& mesh, const GrownFrom& from, const Perturbation& by, std::size_t number) {
   std::mt19937_64 random(number + 1);  // each run has its own numbers, whichever thread it is on
   Grown out;
@@ -54,9 +60,9 @@ Grown oneRun(const TriangleSoup& mesh, const GrownFrom& from, const Perturbation
     const double sum = std::accumulate(out.distances.begin(), out.distances.end(), 0.0);
     out.run.distance = sum / static_cast<double>(out.distances.size());
   } catch (const SeedError& error) {
-    out.run.failure = error.what();
+    failWith(error, out.run);
   } catch (const UsageError& error) {  // a wall or a range that does not go with where the click is now
-    out.run.failure = error.what();
+    failWith(error, out.run);
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/evolution/active_contour.h"
+#include "core/finding.h"
 #include "core/mesh/mesh.h"
 #include "core/sensitivity/perturbation.h"
 
@@ -14,6 +15,7 @@ namespace handlebody {
 //! One perturbed run.
 struct PerturbedRun {
   std::string failure{};  //!< why it left no surface; empty: it did
+  Finding why{};          //!< the same, where it is a finding
   double volume = 0;      //!< mm³
   int components = 0;
   int genus = 0;        //!< sum over the components

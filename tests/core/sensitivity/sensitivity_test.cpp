@@ -99,6 +99,7 @@ TEST_CASE("runs that leave no surface are told, and do not count") {
   const Sensitivity s = sensitivityOf(result.mesh, result.from, 2, 1);
   CHECK(s.grown == 0);
   CHECK_FALSE(s.runs[0].failure.empty());
+  CHECK(sentence(s.runs[0].why) == s.runs[0].failure);
   CHECK(s.mean == 0);
   const auto warnings = sentences(sensitivityWarnings(s));
   REQUIRE(warnings.size() == 1);

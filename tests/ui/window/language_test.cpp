@@ -3,14 +3,17 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLineEdit>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTabBar>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QXmlStreamReader>
 #include <algorithm>
 #include <atomic>
@@ -208,6 +211,7 @@ class LanguageTest : public QObject {
   void everyFindingIsToldInEveryLanguage();
   void whatIsWrongWithAFileIsToldInEveryLanguage();
   void whatIsWrongWithASessionIsToldInEveryLanguage();
+  void whyATableIsNotWrittenIsToldInEveryLanguage();
   void whatIsToBeKnownOfAFileIsToldInEveryLanguage();
   void filesAreTheSameInEveryLanguage();
   void theLanguageIsChosenByOptionEnvironmentSettingAndSystem();
@@ -397,6 +401,29 @@ void LanguageTest::whatIsWrongWithASessionIsToldInEveryLanguage() {
              qPrintable(said));
     QVERIFY2(!said.contains(QStringLiteral("field '")) && !said.contains(QStringLiteral("session nor")),
              qPrintable(said));
+  }
+}
+
+void LanguageTest::whyATableIsNotWrittenIsToldInEveryLanguage() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("missing/measures.csv"));
+  QTimer timer;
+  connect(&timer, &QTimer::timeout, this, [&path] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    if (auto* edit = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))) edit->setText(path);
+    dialog->accept();
+  });
+  timer.start(200);
+  for (const QString& code : translatedLanguages()) {
+    ui::useLanguage(code);
+    auto window = shownWindow();
+    QVERIFY(window);
+    window->files().saveText(QStringLiteral("-"), QStringLiteral("measures"), QStringLiteral(".csv"), "1,2");
+    const QString said = window->messages().text();
+    QVERIFY2(said.contains(path), qPrintable(said));
+    for (const QString& part : englishParts(code))
+      QVERIFY2(!said.contains(part), qPrintable(code + ": " + said + "\nhas: " + part));
   }
 }
 

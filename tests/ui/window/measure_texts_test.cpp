@@ -27,6 +27,7 @@ class MeasureTextsTest : public QObject {
   void cleanup() { QLocale::setDefault(QLocale::system()); }
   void copiedNumbersHaveThePointOfTheLocale();
   void theSurfacesOfAWallAreTranslated();
+  void whyARunLeftNoSurfaceIsTranslated();
 };
 
 void MeasureTextsTest::copiedNumbersHaveThePointOfTheLocale() {
@@ -58,6 +59,19 @@ void MeasureTextsTest::theSurfacesOfAWallAreTranslated() {
       qPrintable(own));
   QVERIFY2(others.contains(QStringLiteral("Lesion")) && !others.contains(QStringLiteral("[Lesion]")),
            qPrintable(others));
+}
+
+void MeasureTextsTest::whyARunLeftNoSurfaceIsTranslated() {
+  PerturbedRun run;
+  run.failure = sentence(FindingKind::sensitivityVanished);
+  Brackets brackets;
+  QCoreApplication::installTranslator(&brackets);
+  const QString words = ui::failureText(run);
+  run.why = FindingKind::sensitivityVanished;
+  const QString finding = ui::failureText(run);
+  QCoreApplication::removeTranslator(&brackets);
+  QCOMPARE(words, QStringLiteral("The surface vanished."));
+  QCOMPARE(finding, QStringLiteral("[The surface vanished.]"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ui/model/finding_text.h"
 #include "ui/model/measuring.h"
 #include "ui/model/translate.h"
 #include "ui/view/length_decimals.h"
@@ -127,6 +128,10 @@ QString lineSummary(const MeasuredLine& m) {
   if (least)
     lines << tr("Least section: %1").arg(sectionText(*least)) << tr("Largest: %1").arg(sectionText(*largest));
   return lines.join(QLatin1Char('\n'));
+}
+
+QString failureText(const PerturbedRun& run) {
+  return run.why.any() && isTranslated(run.why) ? findingText(run.why) : QString::fromStdString(run.failure);
 }
 
 QString sectionText(const CentreLinePoint& p) {

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "core/io/report/measured.h"
+#include "core/sensitivity/sensitivity.h"
 
 namespace handlebody::ui {
 
@@ -17,6 +18,8 @@ QString lineSummary(const MeasuredLine& line);
 //! Columns of a table (measuredColumns, with tabs) as a spreadsheet of the user's locale reads them: numbers
 //! with its decimal point, without groups. Names stay.
 QString columnsForSpreadsheet(const QString& columns);
+//! Why a perturbed run left no surface. Precondition: it did not.
+QString failureText(const PerturbedRun& run);
 //! Of a point of a centre line.
 QString sectionText(const CentreLinePoint& point);
 

@@ -14,6 +14,7 @@
 #include "ui/model/finding_text.h"
 #include "ui/view/distance_colours.h"
 #include "ui/view/view_state.h"
+#include "ui/window/measures/measure_texts.h"
 #include "ui/window/widgets/numbers.h"
 #include "ui/window/widgets/panel_tools.h"
 
@@ -171,8 +172,7 @@ void SensitivityPage::showTable() {
     table_->insertRow(at);
     const bool grew = run.failure.empty();
     const QStringList cells{
-        grew ? QString::number(++counted)
-             : tr("%1: %2").arg(QString::number(++counted), QString::fromStdString(run.failure)),
+        grew ? QString::number(++counted) : tr("%1: %2").arg(QString::number(++counted), failureText(run)),
         grew ? fineNumber(run.volume / 1000) : kNotGrown, grew ? QString::number(run.components) : kNotGrown,
         grew ? QString::number(run.genus) : kNotGrown, grew ? fineNumber(run.distance) : kNotGrown};
     for (int c = 0; c < cells.size(); ++c) {

@@ -554,12 +554,11 @@ void FileWork::saveText(const QString& title, const QString& what, const QString
   const QString path = askForName(
       {title, suggestedBase() + QLatin1Char('_') + what, {extension}, QStringLiteral("*%1").arg(extension)});
   if (path.isEmpty() || isRefused(path)) return;
-  try {
-    writeTextAtomically(fileName(path), text);
+  const QString fault = whyNot([&] { writeTextAtomically(fileName(path), text); });
+  if (fault.isEmpty())
     messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
-  } catch (const std::exception& error) {
-    messages_.show(MessageBar::Kind::error, QString::fromUtf8(error.what()));
-  }
+  else
+    messages_.show(MessageBar::Kind::error, fault);
 }
 
 void FileWork::saveFile(const QString& title, const QString& what, const QString& extension,
