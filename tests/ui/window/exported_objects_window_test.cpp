@@ -5,10 +5,13 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QSemaphore>
 #include <QTimer>
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <set>
+#include <stdexcept>
 
 #include "tests/ui/window/two_balls.h"
 #include "ui/window/export/export_panel.h"
@@ -78,6 +81,7 @@ class ExportedObjectsWindowTest : public QObject {
   void nothingIsExportedOfAllWhileOneGrows();
   void whatIsThereIsAskedAbout();
   void theWindowClosesWhenAFileIsWritten();
+  void theWindowClosesWhenMeasuresAreWritten();
   void nothingIsWrittenIntoTheVolume();
   void picturesAndTablesAreNotWrittenIntoTheVolume();
   void whatIsBetteredIsChosenAndTold();
@@ -179,6 +183,32 @@ void ExportedObjectsWindowTest::theWindowClosesWhenAFileIsWritten() {
   QVERIFY(QTest::qWaitFor([&] { return !window->isVisible(); }, kPatience));
   QCOMPARE(exported.size(), 1);
   QVERIFY(QFileInfo::exists(folder.filePath("ball.stl")));
+}
+
+void ExportedObjectsWindowTest::theWindowClosesWhenMeasuresAreWritten() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  const QString path = folder.filePath("m.ply");
+  const auto goesOn = std::make_shared<QSemaphore>();  // what is written waits for it
+  const auto save = [&](const ui::FileWriter& write) {
+    const auto later = [goesOn, write](const std::string& name) {
+      if (goesOn->tryAcquire(1, kPatience)) write(name);
+    };
+    questionsOf([&] { window->files().saveFile("Save", "mesh", ".ply", later); }, {{path}, {}});
+  };
+  save([](const std::string&) { throw std::runtime_error("The disk is full."); });
+  QVERIFY(!window->close());
+  goesOn->release();
+  QTRY_VERIFY_WITH_TIMEOUT(window->messages().text().contains("disk is full"), kPatience);
+  QTest::qWait(100);
+  QVERIFY(window->isVisible());
+  save([](const std::string& name) { writeWord(QString::fromStdString(name)); });
+  QVERIFY(!window->close());
+  QVERIFY(window->isVisible() && window->messages().text().contains("is being written"));
+  goesOn->release();
+  QVERIFY(QTest::qWaitFor([&] { return !window->isVisible(); }, kPatience));
+  QVERIFY(holdsWord(path));
 }
 
 void ExportedObjectsWindowTest::nothingIsWrittenIntoTheVolume() {

@@ -566,6 +566,7 @@ void FileWork::saveFile(const QString& title, const QString& what, const QString
   const QString path = askForName(
       {title, suggestedBase() + QLatin1Char('_') + what, {extension}, QStringLiteral("*%1").arg(extension)});
   if (path.isEmpty() || isRefused(path)) return;
+  ++writing_;
   inBackground(
       this, [write, name = fileName(path)] { return whyNot([&] { write(name); }); },
       [this, path](const QString& error) {
@@ -573,6 +574,7 @@ void FileWork::saveFile(const QString& title, const QString& what, const QString
           messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
         else
           messages_.show(MessageBar::Kind::error, error);
+        afterWriting(error.isEmpty());
       });
 }
 

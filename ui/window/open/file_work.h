@@ -48,7 +48,8 @@ class FileWork : public QObject {
   void exportFrames(bool asLabels);
   //! Asks for a name that begins as the volume's and ends in `what`, and writes the text there.
   void saveText(const QString& title, const QString& what, const QString& extension, const std::string& text);
-  //! The same of a file that `write` makes on a worker thread. It may throw: why is told.
+  //! The same of a file that `write` makes on a worker thread. It may throw: why is told. The window does not
+  //! close before that has ended.
   void saveFile(const QString& title, const QString& what, const QString& extension, const FileWriter& write);
   //! True if the window may close now. Else a file is being written, after which it closes, or it asks about
   //! unsaved work, and closes the window when the answer is carried out.
