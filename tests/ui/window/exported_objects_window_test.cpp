@@ -87,6 +87,7 @@ class ExportedObjectsWindowTest : public QObject {
   void whatIsBetteredIsChosenAndTold();
   void aNameIsProposedThatTheDialogTakesAsOne();
   void ofSeveralFilesTheOneThatIsWrittenIsNamed();
+  void whyNothingIsWrittenGoesWithItsVolume();
 };
 
 void ExportedObjectsWindowTest::allAreExportedTogether() {
@@ -359,6 +360,18 @@ void ExportedObjectsWindowTest::ofSeveralFilesTheOneThatIsWrittenIsNamed() {
   QVERIFY(!told().isEmpty() && why().isEmpty());
   Q_EMIT document.exportCancelled("/a/again.stl");
   QVERIFY(told().isEmpty());
+}
+
+void ExportedObjectsWindowTest::whyNothingIsWrittenGoesWithItsVolume() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  window->showStep(Command::stepExport);
+  Q_EMIT window->document().exportFailed("The disk is full.");
+  QCOMPARE(shownText(*window, "Why nothing is written"), QString("The disk is full."));
+  QVERIFY(open(*window, writeBalls(folder)));
+  window->showStep(Command::stepExport);
+  QCOMPARE(shownText(*window, "Why nothing is written"), QString());
 }
 
 int main(int argc, char** argv) {

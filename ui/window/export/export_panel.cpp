@@ -210,7 +210,11 @@ void ExportPanel::connectProgress() {
     polished_->setText(text);
     polished_->show();
   });
-  connect(&document_, &Document::opened, polished_, &QWidget::hide);
+  connect(&document_, &Document::opened, this, [this] {  // both were of what was open
+    polished_->hide();
+    failed_.clear();
+    showFault();
+  });
   const auto fail = [this](const QString& why) {
     failed_ = why;
     end();
