@@ -134,11 +134,7 @@ void FileWork::connectMessages() {
     failed(text);
     replaceOpenSoon();
   });
-  connect(&document_, &Document::exporting, this, [this] {
-    polished_.clear();
-    leftOut_.clear();
-    ++writing_;
-  });
+  connect(&document_, &Document::exporting, this, [this] { ++writing_; });
   connect(&document_, &Document::polished, this, [this](const QString& text) { polished_ = text; });
   connect(&document_, &Document::leftOutOfLabelMap, this, [this](const QString& text) { leftOut_ = text; });
   connect(&document_, &Document::exported, this, [this, said](const QString& path) {
@@ -150,7 +146,7 @@ void FileWork::connectMessages() {
       said(written);
     else
       messages_.show(MessageBar::Kind::warning, written + QLatin1Char(' ') + leftOut);
-    afterWriting(true);
+    afterWriting(leftOut.isEmpty());  // a warning is read before the window closes
   });
   connect(&document_, &Document::exportCancelled, this, [this] { afterWriting(true); });
   connect(&document_, &Document::sessionSaved, this, [this, said](const QString& path) {
