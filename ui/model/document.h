@@ -306,6 +306,10 @@ class Document : public QObject {
   void endCorrection(bool keeps);
   //! As an entry of the undo list; refused() where there are several objects.
   void setOverTime(const OverTimeRequest& request, const QString& undoText, int gesture = -1);
+  //! Why the surfaces of the frames cannot be written now, as a sentence: of some of them there is none, and
+  //! those behind would stand in their place, or a phase of a part be taken for one of the whole. Empty: they
+  //! can.
+  QString framesFault() const;
   //! The surfaces of all frames, as numbered meshes or a 4D label map by extension; polished, told and
   //! cancelled as exportResult(): all of them are written, or nothing.
   void exportFrames(const QString& path, CoordinateSpace space);

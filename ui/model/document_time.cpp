@@ -65,6 +65,19 @@ QString severalFault() {
   return Document::tr("Several objects are not carried over time: open the volume with one of them.");
 }
 
+//! "0–2, 5" of 0, 1, 2, 5.
+QString frameSpans(const std::vector<int>& frames) {
+  QStringList spans;
+  for (auto first = frames.begin(); first != frames.end();) {
+    auto last = first;
+    while (last + 1 != frames.end() && *(last + 1) == *last + 1) ++last;
+    const QString from = QString::number(*first);
+    spans << (first == last ? from : QStringLiteral("%1–%2").arg(from).arg(*last));
+    first = last + 1;
+  }
+  return spans.join(Document::tr(", "));
+}
+
 //! Those of frames without a surface are removed.
 QStringList frameFiles(const QString& path, const OverTimeReport& over) {
   if (!isMeshPath(fileName(path))) return {path};
@@ -234,13 +247,20 @@ void Document::setOverTime(const OverTimeRequest& request, const QString& undoTe
 
 OverTimeReport Document::Private::overTimeReport() const { return time.report(); }
 
+QString Document::framesFault() const {
+  if (!isCarriedCurrent() || d_->time.isCarrying())
+    return tr("There are no surfaces over time of what is shown: carry it through the frames first.");
+  if (d_->time.framesOfRange(false).empty()) return {};
+  const OverTimeRequest::Range all = d_->time.range();
+  return tr("Of the frames %1–%2 the surface is in these only: %3. Carry it through all of them first.")
+      .arg(QString::number(all.first), QString::number(all.last), frameSpans(d_->time.framesOfRange(true)));
+}
+
 void Document::exportFrames(const QString& path, CoordinateSpace space) {
-  if (!isCarriedCurrent() || d_->time.isCarrying()) {
-    Q_EMIT exportRefused(
-        tr("There are no surfaces over time of what is shown: carry it through the frames first."));
-    return;
-  }
-  d_->exportFrames(path, space);
+  if (const QString fault = framesFault(); !fault.isEmpty())
+    Q_EMIT exportRefused(fault);
+  else
+    d_->exportFrames(path, space);
 }
 
 void Document::Private::exportFrames(const QString& path, CoordinateSpace coordinates) {

@@ -325,10 +325,15 @@ const FrameResult* TimeSeries::resultOf(int frame) const {
 
 bool TimeSeries::isComplete() const {
   const OverTimeRequest::Range all = range();
-  if (!from_ || all.first == all.last) return false;
+  return from_ && all.first != all.last && framesOfRange(false).empty();
+}
+
+std::vector<int> TimeSeries::framesOfRange(bool areThere) const {
+  std::vector<int> frames;
+  const OverTimeRequest::Range all = range();
   for (int f = all.first; f <= all.last; ++f)
-    if (f != grown_ && carried_.count(f) == 0) return false;
-  return true;
+    if ((resultOf(f) != nullptr) == areThere) frames.push_back(f);
+  return frames;
 }
 
 VolumeCurve TimeSeries::curve() const {

@@ -105,6 +105,9 @@ class TimeSeries : public QObject {
   bool isAsRequested() const;
   //! True if every frame of the range is there.
   bool isComplete() const;
+  //! Frames of the range: those that are there, or those that are not. A carry that was cancelled or failed
+  //! leaves some out.
+  std::vector<int> framesOfRange(bool areThere) const;
 
  Q_SIGNALS:
   void shownChanged();   //!< another frame is shown, or another is the one that is grown

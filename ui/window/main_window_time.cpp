@@ -99,7 +99,7 @@ void MainWindow::updateTimeCommands() {
   QAction* carry = commands_[Command::carryOverTime];
   carry->setEnabled(open && (time.isCarrying() || document_.carryFault().isEmpty()));
   carry->setText(time.isCarrying() ? tr("&Cancel") : tr("&Over time"));
-  const bool whole = open && !time.isCarrying() && document_.isCarriedCurrent();
+  const bool whole = open && document_.framesFault().isEmpty();
   commands_[Command::exportFrameMeshes]->setEnabled(whole);
   commands_[Command::exportFrameLabels]->setEnabled(whole);
 }

@@ -258,6 +258,36 @@ TEST_CASE("what is carried can be cancelled, and what there was is kept", "[docu
   CHECK_FALSE(document.time().isComplete());
 }
 
+TEST_CASE("frames are not written while some are missing, and it says which there are", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  QString refused;
+  QStringList written;
+  QObject::connect(&document, &Document::exportRefused, [&](const QString& why) { refused = why; });
+  QObject::connect(&document, &Document::exported, [&](const QString& path) { written << path; });
+  REQUIRE(growInFrame(document, heart));
+  TimeSeries& time = document.time();
+  const auto cancelling = QObject::connect(&time, &TimeSeries::carriedChanged, [&] {
+    if (time.isCarrying() && time.carried().size() == 2) time.cancel();
+  });
+  REQUIRE(carryAll(document));
+  QObject::disconnect(cancelling);
+  REQUIRE(time.carried().size() == 2);
+  CHECK(document.isCarriedCurrent());
+  for (const char* name : {"part.nii", "part.ply"}) {
+    refused.clear();
+    document.exportFrames(heart.file(name), CoordinateSpace::lps);
+    CHECK(refused.contains(QStringLiteral("0–2")));  // not those of the range, 0–4, alone
+    CHECK(refused == document.framesFault());
+  }
+  REQUIRE(carryAll(document));
+  CHECK(document.framesFault().isEmpty());
+  document.exportFrames(heart.file("whole.nii"), CoordinateSpace::lps);
+  REQUIRE(waitFor([&] { return !written.isEmpty(); }));
+  CHECK(written == QStringList{heart.file("whole.nii")});
+  CHECK_FALSE(QFile::exists(heart.file("part.nii")));
+}
+
 TEST_CASE("another surface in its frame makes what was carried out of date", "[document][time]") {
   const BeatingFile heart;
   Document document;

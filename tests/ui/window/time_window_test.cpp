@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSemaphore>
 #include <QTableWidget>
 #include <QThreadPool>
@@ -81,6 +82,7 @@ class TimeWindowTest : public QObject {
   void theTintIsOfTheFrameThatIsGrownInAlone();
   void theHistogramIsOfTheVolumeThatWasOpenedLast();
   void aClickInThePlotGoesToTheFrame();
+  void aPartOfTheFramesIsNotExported();
   void aFrameIsCorrectedAndTheRestIsCarriedAgain();
   void oneButtonTellsTheSensitivity();
   void growingHereAsksWhereAnotherObjectLosesItsSurface();
@@ -174,6 +176,31 @@ void TimeWindowTest::aClickInThePlotGoesToTheFrame() {
   const auto* table = window->overTime().findChild<QTableWidget*>();
   QCOMPARE(table->rowCount(), BeatingSample::kFrames);
   QVERIFY(table->item(3, 3)->text().contains("carried"));
+}
+
+void TimeWindowTest::aPartOfTheFramesIsNotExported() {
+  auto window = grownWindow(sample_);
+  QVERIFY(window);
+  ui::TimeSeries& time = window->document().time();
+  const auto cancelling = connect(&time, &ui::TimeSeries::carriedChanged, window.get(), [&time] {
+    if (time.isCarrying() && time.carried().size() == 2) time.cancel();
+  });
+  const auto canExport = [&] {
+    QList<bool> can{window->commands()[Command::exportFrameMeshes]->isEnabled(),
+                    window->commands()[Command::exportFrameLabels]->isEnabled()};
+    const auto buttons = window->overTime().findChildren<QPushButton*>();
+    for (const QPushButton* button : buttons)
+      if (button->text().startsWith("CSV") || button->text().startsWith("Plot")) can << button->isEnabled();
+    return can;
+  };
+  QVERIFY(!carry(*window));
+  QVERIFY(!time.isCarrying());
+  QCOMPARE(time.carried().size(), std::size_t(2));
+  QCOMPARE(canExport(), QList<bool>(4, false));
+  QCOMPARE(shownText(*window, "State of what is carried"), window->document().framesFault());
+  disconnect(cancelling);
+  QVERIFY(carry(*window));
+  QCOMPARE(canExport(), QList<bool>(4, true));
 }
 
 void TimeWindowTest::aFrameIsCorrectedAndTheRestIsCarriedAgain() {

@@ -258,7 +258,8 @@ void OverTimePanel::showState() {
   figures_->setText(figures());
   figures_->setVisible(any);
   figures_->setEnabled(isOfThis);
-  for (QPushButton* button : {csv_, svg_}) button->setEnabled(isOfThis && !time.isCarrying());
+  const QString fault = document_.framesFault();
+  for (QPushButton* button : {csv_, svg_}) button->setEnabled(fault.isEmpty());
   QString text;
   if (document_.correctedFrame())
     text =
@@ -270,9 +271,9 @@ void OverTimePanel::showState() {
     text = time.carryError();
   else if (any && !isOfThis)
     text = tr("These are of an earlier surface of frame %1: carry it anew.").arg(time.grownFrame());
-  else if (any && !time.isComplete())
-    text = tr("Not all frames were carried to.");
-  else if (!any)
+  else if (any)
+    text = fault;
+  else
     text = document_.carryFault();
   note_->setText(text);
   note_->setVisible(!text.isEmpty());
