@@ -92,6 +92,8 @@ class UnsavedTest : public QObject {
   void aWindowThatIsSavedCloses();
   void whatIsChangedWhileItIsSavedIsAskedAbout();
   void aWindowThatStaysOpenAsksTheNextTime();
+  void aSessionThatIsBeingWrittenIsWaitedFor();
+  void theWindowStaysWhereTheSessionCannotBeWritten();
   void whatIsDoneWhileAFileIsReadIsAskedAbout();
   void whatIsSavedWhileAFileIsReadIsNotAskedAbout();
   void nothingTakesThePlaceOfWhatANameIsAskedFor();
@@ -136,6 +138,37 @@ void UnsavedTest::aWindowThatStaysOpenAsksTheNextTime() {
   s.window->close();
   QCOMPARE(answers.asked(), 2);
   QVERIFY(s.window->isVisible());
+}
+
+//! Nothing is unsaved by then, so that nothing is asked.
+void UnsavedTest::aSessionThatIsBeingWrittenIsWaitedFor() {
+  Saved s;
+  QVERIFY(s.ok);
+  QVERIFY(QFile::remove(s.session));
+  const Answers answers;
+  QSignalSpy saved(&s.document(), &ui::Document::sessionSaved);
+  s.window->files().save();
+  s.window->close();
+  QVERIFY(s.window->isVisible());
+  QVERIFY(!saved.isEmpty() || saved.wait(kPatience));
+  QVERIFY(QFile::exists(s.session));
+  QTRY_VERIFY(!s.window->isVisible());
+  QCOMPARE(answers.asked(), 0);
+}
+
+void UnsavedTest::theWindowStaysWhereTheSessionCannotBeWritten() {
+  Saved s;
+  QVERIFY(s.ok);
+  const Answers answers;
+  QSignalSpy saved(&s.document(), &ui::Document::sessionSaved);
+  s.window->files().save();
+  s.window->close();
+  Q_EMIT s.document().saveFailed(QStringLiteral("There is no room."));  // before how it really ended is told
+  QCOMPARE(s.window->messages().text(), QString("There is no room."));
+  QVERIFY(!saved.isEmpty() || saved.wait(kPatience));
+  QTest::qWait(300);
+  QVERIFY(s.window->isVisible());
+  QCOMPARE(answers.asked(), 0);
 }
 
 void UnsavedTest::whatIsDoneWhileAFileIsReadIsAskedAbout() {

@@ -130,9 +130,8 @@ void FileWork::connectMessages() {
   });
   connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
     next_ = nullptr;
-    saving_ = false;
     failed(text);
-    replaceOpenSoon();
+    afterSaving(false);
   });
   connect(&document_, &Document::exporting, this, [this] { ++writing_; });
   connect(&document_, &Document::polished, this, [this](const QString& text) { polished_ = text; });
@@ -158,9 +157,7 @@ void FileWork::connectMessages() {
     const QString lost = document_.leftOut();
     lost.isEmpty() ? said(saved) : messages_.show(MessageBar::Kind::warning, saved + QLatin1Char(' ') + lost);
     remember(path);
-    saving_ = false;
-    afterSaved();
-    replaceOpenSoon();
+    afterSaving(true);
   });
 }
 
@@ -170,9 +167,11 @@ void FileWork::keepTrack() {
   if (!restored_.isEmpty() && reading_ == restored_) Document::discardRecoverable(restored_);
 }
 
-void FileWork::afterSaved() {
-  const auto next = std::exchange(next_, nullptr);
-  if (next) next();
+void FileWork::afterSaving(bool isWell) {
+  saving_ = std::max(0, saving_ - 1);
+  if (const auto next = std::exchange(next_, nullptr)) next();
+  closeIfWritten(isWell);
+  replaceOpenSoon();
 }
 
 QStringList FileWork::recent() const {
@@ -330,7 +329,7 @@ void FileWork::openSample() {
 //! that are asked then, and a session that is written, are about the work that is open; that stays until
 //! then.
 void FileWork::replaceOpen() {
-  if (asking_ > 0 || saving_ || !document_.isOpeningWaiting()) return;
+  if (asking_ > 0 || saving_ > 0 || !document_.isOpeningWaiting()) return;
   if (!document_.isChangedSinceOpen()) return document_.finishOpening();
   whenSaved([this] { document_.finishOpening(); }, [this] { document_.cancelOpening(); });
 }
@@ -369,11 +368,16 @@ bool FileWork::isAgreed(const QString& title, const QString& question) {
 
 void FileWork::closeWindow() { QMetaObject::invokeMethod(window_, &QWidget::close, Qt::QueuedConnection); }
 
-//! The window stays where a file could not be written: else nobody would read why.
 void FileWork::afterWriting(bool isWell) {
   writing_ = std::max(0, writing_ - 1);
+  closeIfWritten(isWell);
+}
+
+//! The window stays where a file could not be written: else nobody would read why.
+void FileWork::closeIfWritten(bool isWell) {
   if (!isWell) closesWhenWritten_ = false;
-  if (closesWhenWritten_ && writing_ == 0) closeWindow();
+  if (writing_ > 0 || saving_ > 0 || closing_) return;
+  if (std::exchange(closesWhenWritten_, false)) closeWindow();
 }
 
 //! What is written ends first, well or not.
@@ -387,7 +391,7 @@ void FileWork::closeWhenWritten() {
 // The answer ends in another close(), which asks no more. A later one does.
 bool FileWork::mayClose() {
   const bool isAnswered = std::exchange(closing_, false);
-  if (writing_ > 0) {
+  if (writing_ > 0 || saving_ > 0) {
     closeWhenWritten();
     return false;
   }
@@ -407,7 +411,7 @@ void FileWork::save() {
 
 void FileWork::saveSession(const QString& path) {
   Q_EMIT aboutToSave();
-  saving_ = true;  // until it is told how that ended, which may be at once
+  ++saving_;  // until it is told how that ended, which may be at once
   document_.saveSession(path);
 }
 

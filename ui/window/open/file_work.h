@@ -77,11 +77,12 @@ class FileWork : public QObject {
   class Asking;
   void replaceOpen();
   void replaceOpenSoon();
-  void afterSaved();
+  void afterSaving(bool isWell);
   void keepTrack();
   void closeWindow();
   void closeWhenWritten();
   void afterWriting(bool isWell);
+  void closeIfWritten(bool isWell);
   void recover(const QString& journal);
   //! What is written under a name that was chosen, e.g. a file for each object.
   using FilesOf = std::function<QStringList(const QString& path)>;
@@ -124,8 +125,8 @@ class FileWork : public QObject {
   QString reading_;                 //!< what the document reads, or has read last
   QString restored_;                //!< the journal that was to be restored last
   int writing_ = 0;                 //!< files, or sets of them, that are not there yet
+  int saving_ = 0;                  //!< sessions that are not
   int asking_ = 0;                  //!< questions about the work that is open
-  bool saving_ = false;             //!< its session is not written yet
   bool closesWhenWritten_ = false;
   bool closing_ = false;  //!< the next close() needs no answer any more
 };
