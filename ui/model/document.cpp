@@ -168,8 +168,12 @@ QUndoStack* Document::undoStack() const { return &d_->undo; }
 
 bool Document::isModified() const { return d_->wasModified; }
 
+bool Document::Private::isAsSaved() const {
+  return objects.isAsSaved() && (!corrected.isOpen() || corrected.home()->isAsSaved());
+}
+
 void Document::Private::updateModified() {
-  const bool modified = work && (!undo.isClean() || !objects.isAsSaved());
+  const bool modified = work && (!undo.isClean() || !isAsSaved());
   if (modified == wasModified) return;
   wasModified = modified;
   Q_EMIT q.modifiedChanged();

@@ -108,6 +108,7 @@ std::shared_ptr<ObjectWork> Document::Private::newCorrection(int frame) {
 }
 
 void Document::Private::enter(const CorrectedFrame& frame) {
+  forgetSavedCorrection();  // one is left for another
   corrected.putAway(objects.active(), work->volume);
   active().pause();
   active().beHidden();
@@ -117,10 +118,17 @@ void Document::Private::enter(const CorrectedFrame& frame) {
   time.show(frame.frame);
   tellAll();
   active().beShown();
+  updateModified();
+}
+
+//! The session holds what is left now: it is another one than the work until it is written again.
+void Document::Private::forgetSavedCorrection() {
+  if (std::exchange(isCorrectionSaved, false)) undo.resetClean();
 }
 
 void Document::Private::leaveCorrection() {
   if (!corrected.isOpen()) return;
+  forgetSavedCorrection();
   active().pause();
   active().beHidden();
   const auto [home, volume] = corrected.takeBack();
@@ -129,6 +137,7 @@ void Document::Private::leaveCorrection() {
   time.setWorkFrame(time.grownFrame(), work->volume);
   tellAll();
   active().beShown();
+  updateModified();
 }
 
 //! With what is being corrected now, if something of it was grown.
@@ -152,7 +161,7 @@ void Document::endCorrection(bool keeps) {
   OverTimeRequest request = d_->time.request();
   if (keeps) request.corrections = d_->corrections();
   d_->leaveCorrection();
-  if (!keeps) return;
+  if (!keeps) return d_->journalNow();  // which holds it, too
   d_->time.setRequest(request, true);
   d_->corrected.forgetBeyond(frame, d_->time.grownFrame());
   d_->undo.resetClean();

@@ -95,6 +95,7 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   hashInBackground();
   growsIn = -1;
   corrected = {};
+  isCorrectionSaved = false;
   carriesLater = false;
   output = {};
   if (!sessions.empty()) output = {sessions.front().polish, sessions.front().space};

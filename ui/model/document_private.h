@@ -4,6 +4,7 @@
 #include <QUndoStack>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/io/report/report.h"
@@ -47,6 +48,14 @@ struct GrowthChoices {
 struct ReadWork {
   QString path;
   OpenedWork work;
+};
+
+//! What a session that is being written holds.
+struct WrittenState {
+  int edit = 0;
+  std::vector<std::pair<std::weak_ptr<ObjectWork>, int>> iterations{};  // the shown one of each object
+  // Of a frame, that was under way; none: none was.
+  std::optional<std::weak_ptr<const ObjectWork>> correction{};
 };
 
 //! How files are written; a session keeps it.
@@ -114,6 +123,7 @@ class Document::Private : public ObjectHost {
   OverTimeSettings carrySettings() const;
   void enter(const CorrectedFrame& frame);
   void leaveCorrection();
+  void forgetSavedCorrection();
   std::shared_ptr<ObjectWork> newCorrection(int frame);
   //! What of a session belongs to the grown frame, also while another one is corrected.
   const std::shared_ptr<ObjectWork>& base() const {
@@ -134,6 +144,7 @@ class Document::Private : public ObjectHost {
   bool mayPin();
   bool pin(const std::vector<WallBall>& stroke, const QString& undoText);
   void goOn(Wanted what);
+  bool isAsSaved() const;
   void updateModified();
 
   // --- out ---
@@ -169,7 +180,8 @@ class Document::Private : public ObjectHost {
   void exportReport(const QString& path, const std::vector<PendingReport>& reports, bool isAnonymous);
   void saveSession(const QString& path);
   void exportAnonymousSession(const QString& path);
-  void saved(const QString& path, int edit, const std::vector<int>& iterations);
+  WrittenState stateToWrite() const;
+  void saved(const QString& path, const WrittenState& state);
   void journalNow();
 
   Document& q;
@@ -200,6 +212,7 @@ class Document::Private : public ObjectHost {
   // Over time.
   TimeSeries time;
   CorrectedFrames corrected;
+  bool isCorrectionSaved = false;                 // the session that was written last holds the one under way
   std::weak_ptr<const ObjectWork> carriedObject;  // whose surface `time` has carried
   int growsIn = -1;                               // frame in which to grow when it is shown; -1: none
   bool carriesLater = false;                      // when what a session says has been grown

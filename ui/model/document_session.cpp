@@ -116,32 +116,42 @@ void Document::Private::saveSession(const QString& path) {
     Q_EMIT q.saveFailed(fault);
     return;
   }
-  std::vector<int> iterations;
-  for (const auto& object : objects) iterations.push_back(object->growth().iteration());
-  files.post([this, path, made = sessions(), known = hash, edit = edits, iterations]() mutable {
+  files.post([this, path, made = sessions(), known = hash, state = stateToWrite()]() mutable {
     const QString failed = whyNot([&] {
       for (Session& session : made) complete(session, *known);
       writeSessions(made, fileName(path));
     });
     QMetaObject::invokeMethod(
         &q,
-        [this, path, failed, edit, iterations, known] {
+        [this, path, failed, state, known] {
           if (!failed.isEmpty()) {
             Q_EMIT q.saveFailed(failed);
             return;
           }
-          if (known == hash) saved(path, edit, iterations);  // else other work is open by now
+          if (known == hash) saved(path, state);  // else other work is open by now
           Q_EMIT q.sessionSaved(path);
         },
         Qt::QueuedConnection);
   });
 }
 
-void Document::Private::saved(const QString& path, int edit, const std::vector<int>& iterations) {
+//! The job that writes may be the last that has it: it must not keep the objects, which live on this thread.
+WrittenState Document::Private::stateToWrite() const {
+  WrittenState state{edits};
+  for (const auto& object : objects) state.iterations.emplace_back(object, object->growth().iteration());
+  if (!corrected.isOpen()) return state;
+  state.iterations.emplace_back(corrected.home(), corrected.home()->growth().iteration());
+  if (active().growth().exists()) state.correction = objects.active();
+  return state;
+}
+
+void Document::Private::saved(const QString& path, const WrittenState& state) {
   sessionPath = path;
-  if (objects.size() == iterations.size())  // else one was added or deleted meanwhile, which is not saved
-    for (std::size_t i = 0; i < iterations.size(); ++i) objects[i]->setSavedIteration(iterations[i]);
-  if (edit == edits)
+  for (const auto& [object, iteration] : state.iterations)
+    if (const auto there = object.lock()) there->setSavedIteration(iteration);
+  const bool isLeft = state.correction && state.correction->lock() != objects.active();
+  isCorrectionSaved = state.correction && !isLeft;
+  if (state.edit == edits && !isLeft)
     undo.setClean();
   else
     undo.resetClean();  // what was clean before is not in the file either

@@ -30,9 +30,48 @@ bool keepCorrection(Document& document) {
   return waitFor([&] { return !document.time().isCarrying(); }, 200);
 }
 
+bool saveTo(Document& document, const QString& path) {
+  QString written;
+  const auto done =
+      QObject::connect(&document, &Document::sessionSaved, [&](const QString& p) { written = p; });
+  document.saveSession(path);
+  const bool isWritten = waitFor([&] { return written == path; });
+  QObject::disconnect(done);
+  return isWritten;
+}
+
 double volumeAt(const Document& document, int frame) { return document.time().resultOf(frame)->volume; }
 
 }  // namespace
+
+TEST_CASE("work without a correction that was saved is unsaved until it is saved again", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  const QString session = heart.file("session.json");
+  REQUIRE(carryFrom(document, heart));
+  REQUIRE(saveTo(document, session));
+  CHECK_FALSE(document.isModified());
+  REQUIRE(startCorrecting(document, 3));
+  CHECK(document.isModified());
+  SECTION("it was left after that") {
+    REQUIRE(saveTo(document, session));
+    CHECK_FALSE(document.isModified());
+    document.endCorrection(false);
+  }
+  SECTION("it was left while it was written") {
+    QString written;
+    QObject::connect(&document, &Document::sessionSaved, [&](const QString& path) { written = path; });
+    document.saveSession(session);
+    document.endCorrection(false);
+    REQUIRE(waitFor([&] { return written == session; }));
+  }
+  CHECK(document.isModified());
+  REQUIRE(readSession(session.toStdString()).overTime.has_value());
+  CHECK(readSession(session.toStdString()).overTime->corrections.size() == 1);
+  REQUIRE(saveTo(document, session));
+  CHECK_FALSE(document.isModified());
+  CHECK(readSession(session.toStdString()).overTime->corrections.empty());
+}
 
 TEST_CASE("what is undone in the list of objects ends the correction of a frame first", "[document][time]") {
   const BeatingFile heart;
