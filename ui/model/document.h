@@ -406,7 +406,8 @@ class Document : public QObject {
   //! Journals that ended without a clean close, newest first (paths to session files).
   static QStringList recoverable();
   //! open() takes a journal as it takes a session; what was recovered counts as modified and has no session
-  //! file. Discard it when it was opened, or is not wanted.
+  //! file. It goes by itself once the journal of what was opened is written. Discard it when it is not
+  //! wanted.
   static void discardRecoverable(const QString& journal);
 
  Q_SIGNALS:
@@ -455,6 +456,8 @@ class Document : public QObject {
   void sessionSaved(const QString& path);
   void saveFailed(const QString& sentence);
   void modifiedChanged();
+  //! A crash would lose what is done now. Told again only if it could be kept in between.
+  void journalFailed(const QString& sentence);
 
  private:
   class Private;

@@ -88,7 +88,7 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   objects.hold({first}, first);
   first->reset();
   undo.clear();
-  journal.clear();
+  journal.startWith(path);
   work = std::move(opened);
   sessionPath.clear();
   view.clear();

@@ -183,6 +183,7 @@ class Document::Private : public ObjectHost {
   WrittenState stateToWrite() const;
   void saved(const QString& path, const WrittenState& state);
   void journalNow();
+  void tellOfJournal(const QString& why);
 
   Document& q;
 
@@ -221,7 +222,10 @@ class Document::Private : public ObjectHost {
   OutputChoices output;
 
   // Threads: last, so that they end before what their jobs report to.
-  Journal journal;
+  Journal journal{[this](const QString& why) {
+    QMetaObject::invokeMethod(
+        &q, [this, why] { tellOfJournal(why); }, Qt::QueuedConnection);
+  }};
   Background files;
 };
 

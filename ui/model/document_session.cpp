@@ -185,6 +185,11 @@ void Document::Private::journalNow() {
     journal.clear();
 }
 
+void Document::Private::tellOfJournal(const QString& why) {
+  Q_EMIT q.journalFailed(
+      tr("Nothing is kept for the case that the program ends unexpectedly: save the session. %1").arg(why));
+}
+
 QStringList Document::recoverable() { return Journal::recoverable(); }
 void Document::discardRecoverable(const QString& path) { Journal::discard(path); }
 

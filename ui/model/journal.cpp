@@ -1,5 +1,4 @@
 #include "ui/model/journal.h"
-#include "ui/model/file_name.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -7,7 +6,10 @@
 #include <QFile>
 #include <QStandardPaths>
 #include <atomic>
-#include <cstdio>
+#include <utility>
+
+#include "ui/model/error_sentence.h"
+#include "ui/model/file_name.h"
 
 namespace handlebody::ui {
 
@@ -19,17 +21,20 @@ QDir folder() {
 
 QString lockOf(const QString& path) { return path + QLatin1String(".lock"); }
 
-// A journal that cannot be written must not stop the work; it is said once.
-void write(const std::vector<Session>& objects, const std::string& path) try {
-  writeSessions(objects, path);
-} catch (const std::exception& error) {
-  static std::atomic<bool> said{false};  // as stderr is one for all journals
-  if (!said.exchange(true)) std::fprintf(stderr, "handlebody: no journal is kept: %s\n", error.what());
+void removeWithLock(const QString& path) {
+  QFile::remove(path);
+  QFile::remove(lockOf(path));
+}
+
+bool isOrphan(const QString& path) {
+  QLockFile lock(lockOf(path));
+  lock.setStaleLockTime(0);
+  return lock.tryLock(0);  // let go again at once
 }
 
 }  // namespace
 
-Journal::Journal() {
+Journal::Journal(std::function<void(const QString&)> failed) : failed_(std::move(failed)) {
   static std::atomic<int> count{0};  // of the process: two journals of one second must not share a file
   const QDir dir = folder();
   dir.mkpath(QLatin1String("."));
@@ -44,10 +49,25 @@ Journal::Journal() {
 Journal::~Journal() {
   background_.postInstead([path = path_] { QFile::remove(path); });
   background_.finish();
+  if (!restored_.isEmpty()) discard(restored_);
+}
+
+void Journal::startWith(const QString& opened) {
+  clear();
+  const QString before = std::exchange(restored_, isJournal(opened) && isOrphan(opened) ? opened : QString());
+  if (!before.isEmpty() && before != restored_) discard(before);
 }
 
 void Journal::write(const std::vector<Session>& objects) {
-  background_.postInstead([objects, path = fileName(path_)] { ui::write(objects, path); });
+  background_.postInstead([this, objects, restored = restored_] { writeNow(objects, restored); });
+}
+
+//! On the worker thread. A journal that cannot be written must not stop the work.
+void Journal::writeNow(const std::vector<Session>& objects, const QString& restored) {
+  const QString why = whyNot([&] { writeSessions(objects, fileName(path_)); });
+  if (!why.isEmpty() && !fails_) failed_(why);
+  fails_ = !why.isEmpty();
+  if (!fails_ && !restored.isEmpty()) removeWithLock(restored);
 }
 
 void Journal::clear() {
@@ -61,18 +81,13 @@ bool Journal::isJournal(const QString& path) {
 QStringList Journal::recoverable() {
   QStringList orphans;
   const QDir dir = folder();
-  for (const QFileInfo& file : dir.entryInfoList({QLatin1String("*.json")}, QDir::Files, QDir::Time)) {
-    QLockFile lock(lockOf(file.absoluteFilePath()));
-    lock.setStaleLockTime(0);
-    if (lock.tryLock(0)) orphans.append(file.absoluteFilePath());  // let go again at once
-  }
+  for (const QFileInfo& file : dir.entryInfoList({QLatin1String("*.json")}, QDir::Files, QDir::Time))
+    if (isOrphan(file.absoluteFilePath())) orphans.append(file.absoluteFilePath());
   return orphans;
 }
 
 void Journal::discard(const QString& path) {
-  if (!isJournal(path)) return;
-  QFile::remove(path);
-  QFile::remove(lockOf(path));
+  if (isJournal(path)) removeWithLock(path);
 }
 
 }  // namespace handlebody::ui

@@ -74,6 +74,7 @@ class RecoveryTest : public QObject {
   void theJournalStaysWhenAnotherFileIsOpenedInstead();
   void theJournalStaysWhenItAsksForAFileAndAnotherIsOpened();
   void theOfferStaysWhenAFileIsOpened();
+  void thatNothingIsKeptForACrashIsSeen();
   void theOfferIsSeenAgainAfterWhatIsSaidMeanwhile();
   void anOfferThatIsClosedGoes();
   void restoringAsksAboutUnsavedWork();
@@ -89,7 +90,7 @@ void RecoveryTest::whatIsRestoredIsNotOfferedAgain() {
   QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
   QCOMPARE(window->document().seeds().size(), std::size_t{1});
   QVERIFY(window->document().isModified());
-  QVERIFY(!QFile::exists(journal));
+  QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(journal), kPatience);  // when its own is written
   QVERIFY(!isOffered(*window));
 }
 
@@ -133,6 +134,14 @@ void RecoveryTest::theOfferStaysWhenAFileIsOpened() {
   buttonSaying(*window, "Discard")->click();
   QVERIFY(!window->messages().isVisible());
   QVERIFY(!QFile::exists(journal));
+}
+
+void RecoveryTest::thatNothingIsKeptForACrashIsSeen() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  Q_EMIT window->document().journalFailed(QStringLiteral("Nothing is kept."));
+  QVERIFY(window->messages().isVisible());
+  QCOMPARE(window->messages().text(), QString("Nothing is kept."));
 }
 
 void RecoveryTest::theOfferIsSeenAgainAfterWhatIsSaidMeanwhile() {

@@ -118,8 +118,11 @@ void FileWork::connectMessages() {
   const auto failed = [this](const QString& text) { messages_.show(MessageBar::Kind::error, text); };
   connect(&document_, &Document::openFailed, this, &FileWork::sayOpenFailed);
   connect(&document_, &Document::fileNeeded, this, &FileWork::askForFile);
-  connect(&document_, &Document::opening, this, [this](const QString& path) { reading_ = path; });
-  connect(&document_, &Document::opened, this, &FileWork::keepTrack);
+  connect(&document_, &Document::opened, this, [this] {
+    if (!remembered_.isEmpty()) remember(remembered_);
+  });
+  connect(&document_, &Document::journalFailed, this,
+          [this](const QString& text) { messages_.show(MessageBar::Kind::warning, text); });
   connect(&document_, &Document::exportFailed, this, [this, failed](const QString& text) {
     failed(text);
     afterWriting(false);
@@ -159,12 +162,6 @@ void FileWork::connectMessages() {
     remember(path);
     afterSaving(true);
   });
-}
-
-//! A journal whose reading was cancelled, failed or gave way to another file stays, and is offered again.
-void FileWork::keepTrack() {
-  if (!remembered_.isEmpty()) remember(remembered_);
-  if (!restored_.isEmpty() && reading_ == restored_) Document::discardRecoverable(restored_);
 }
 
 void FileWork::afterSaving(bool isWell) {
@@ -588,8 +585,9 @@ void FileWork::offerRecovery() {
                  {tr("Discard"), [journal] { Document::discardRecoverable(journal); }}});
 }
 
+//! A journal whose reading is cancelled, fails or gives way to another file stays, and is offered again.
 void FileWork::recover(const QString& journal) {
-  whenSaved([this, journal] { begin(restored_ = journal, {}); });
+  whenSaved([this, journal] { begin(journal, {}); });
 }
 
 }  // namespace handlebody::ui

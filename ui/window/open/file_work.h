@@ -78,7 +78,6 @@ class FileWork : public QObject {
   void replaceOpen();
   void replaceOpenSoon();
   void afterSaving(bool isWell);
-  void keepTrack();
   void closeWindow();
   void closeWhenWritten();
   void afterWriting(bool isWell);
@@ -122,8 +121,6 @@ class FileWork : public QObject {
   QString polished_;                //!< what polishing did to the file that is being written
   QString leftOut_;                 //!< what it leaves out, as a label map
   QString remembered_;              //!< stands among the recent ones once it is open; empty: does not
-  QString reading_;                 //!< what the document reads, or has read last
-  QString restored_;                //!< the journal that was to be restored last
   int writing_ = 0;                 //!< files, or sets of them, that are not there yet
   int saving_ = 0;                  //!< sessions that are not
   int asking_ = 0;                  //!< questions about the work that is open
