@@ -142,9 +142,17 @@ CoordinateSpace Document::space() const { return d_->output.space; }
 
 void Document::setPolishes(bool on) {
   if (on == d_->output.polishes) return;
-  d_->output.polishes = on;
-  d_->journalNow();
+  d_->setOutput({on, d_->output.space});
   Q_EMIT polishesChanged();
+}
+
+//! No entry of the undo list: what is in the session now cannot be undone to.
+void Document::Private::setOutput(const OutputChoices& choices) {
+  if (choices == output) return;
+  output = choices;
+  ++edits;  // a session that is being written has the choices of before
+  if (q.sessionFault().isEmpty()) undo.resetClean();
+  journalNow();
 }
 
 WrittenObject Document::Private::objectToWrite(const ObjectWork& object,
@@ -268,7 +276,7 @@ std::vector<std::string> Document::Private::namesInFiles(bool isAnonymous) const
 void Document::Private::exportAs(const QString& told, const QStringList& paths, CoordinateSpace coordinates,
                                  const DicomContent& content, const std::vector<int>& which,
                                  WriteObjects writeThem) {
-  output.space = coordinates;
+  setOutput({output.polishes, coordinates});
   write(told, paths,
         [this, paths, betters = output.polishes, toWrite = writtenObjects(which, content.anonymous),
          context =

@@ -62,6 +62,7 @@ struct WrittenState {
 struct OutputChoices {
   bool polishes = true;
   CoordinateSpace space = CoordinateSpace::lps;
+  bool operator==(const OutputChoices&) const = default;
 };
 
 class Document::Private : public ObjectHost {
@@ -148,6 +149,8 @@ class Document::Private : public ObjectHost {
   void updateModified();
 
   // --- out ---
+  //! Of work that a session can hold it is a change that is not saved.
+  void setOutput(const OutputChoices& choices);
   std::vector<Session> sessions() const;
   //! What an object is called in files: one that there was, too.
   std::string nameInFiles(const std::string& name, bool isAnonymous) const;
@@ -207,7 +210,7 @@ class Document::Private : public ObjectHost {
   // What is edited, and how that is undone.
   ObjectSet objects;
   QUndoStack undo;
-  int edits = 0;  // changes of what is undone; its place in the list may be the same after other ones
+  int edits = 0;  // changes of what is saved; the place in the list may be the same after other ones
   Measurements measurements{undo};
 
   // Over time.

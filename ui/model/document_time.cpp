@@ -264,7 +264,7 @@ void Document::exportFrames(const QString& path, CoordinateSpace space) {
 }
 
 void Document::Private::exportFrames(const QString& path, CoordinateSpace coordinates) {
-  output.space = coordinates;
+  setOutput({output.polishes, coordinates});
   OverTimeReport report = overTimeReport();
   write(path, frameFiles(path, report),
         [this, path, coordinates, over = std::move(report), from = time.carriedFrom(),

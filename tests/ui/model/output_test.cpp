@@ -442,6 +442,41 @@ TEST_CASE("what is changed while a session is written is not saved", "[document]
   }
 }
 
+TEST_CASE("how files are written is a change of what is saved, and stands in the journal", "[document]") {
+  JournalledWork<GrownWork> kept;
+  GrownWork& work = kept.work;
+  const QString session = work.torus.file("session.json");
+  const auto savedAgain = [&] {
+    work.written.clear();
+    return work.saveTo(session);
+  };
+  const auto journalled = [&] { return readSession(kept.journal.toStdString()); };
+  REQUIRE(waitFor([&] { return QFile::exists(kept.journal); }));
+  REQUIRE(work.stepTo(2));
+  REQUIRE(savedAgain());
+  CHECK_FALSE(work.document.isModified());
+  work.document.setPolishes(false);
+  CHECK(work.document.isModified());
+  CHECK(waitFor([&] { return !journalled().polish; }));
+  REQUIRE(savedAgain());
+  CHECK_FALSE(work.document.isModified());
+  work.document.exportResult(work.torus.file("ras.stl"), CoordinateSpace::ras);
+  CHECK(work.document.isModified());
+  REQUIRE(work.isWritten(work.torus.file("ras.stl")));
+  CHECK(waitFor([&] { return journalled().space == CoordinateSpace::ras; }));
+  REQUIRE(savedAgain());
+  CHECK_FALSE(work.document.isModified());
+  CHECK(readSession(session.toStdString()).space == CoordinateSpace::ras);
+  work.document.exportResult(work.torus.file("again.stl"), CoordinateSpace::ras);
+  CHECK_FALSE(work.document.isModified());  // nothing has changed
+}
+
+TEST_CASE("how files are written is no work to be saved before there is a seed", "[document]") {
+  OutputWork work;
+  work.document.setPolishes(false);
+  CHECK_FALSE(work.document.isModified());
+}
+
 TEST_CASE("a session without a seed is not saved, and it is said why", "[document]") {
   GrownWork work;
   work.document.removeSeed(0);
