@@ -39,6 +39,7 @@ Document::Private::Private(Document& document) : q(document) {
     Q_EMIT q.objectsChanged();
     Q_EMIT q.snapshotChanged();
   });
+  QObject::connect(&time, &TimeSeries::requestChanged, &q, [this] { journalNow(); });
   QObject::connect(&measurements, &Measurements::changed, &q, [this] { journalNow(); });
 }
 

@@ -539,3 +539,25 @@ TEST_CASE("what was asked for over time stands in the journal of what was restor
   CHECK(session.overTime->corrections[0].request.seeds == std::vector<Seed>{{heart.seed, {}}});
   CHECK(document.isModified());
 }
+
+TEST_CASE("what is asked for over time is journalled at once", "[document][time]") {
+  const BeatingFile heart;
+  const QDir folder = journalFolder();
+  const QStringList before = folder.entryList({"*.json"}, QDir::Files);
+  Document document;
+  REQUIRE(openAndWait(document, heart.path));
+  document.addSeed({heart.seed, {}});
+  QStringList kept;
+  REQUIRE(waitFor([&] {
+    kept = folder.entryList({"*.json"}, QDir::Files);
+    return kept.size() == before.size() + 1;
+  }));
+  for (const QString& old : before) kept.removeAll(old);
+  OverTimeRequest request;
+  request.holdTopology = false;
+  document.setOverTime(request, "Topology over time");
+  const auto journalled = [&] { return readSession(folder.filePath(kept.front()).toStdString()).overTime; };
+  CHECK(waitFor([&] { return journalled() && !journalled()->holdTopology; }));
+  document.undoStack()->undo();
+  CHECK(waitFor([&] { return !journalled(); }));
+}
