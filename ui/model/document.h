@@ -400,7 +400,9 @@ class Document : public QObject {
   //! What of the open work no session holds, as a sentence; empty: all is in it.
   QString leftOut() const;
   QString sessionPath() const;  //!< where to save again; empty: nowhere yet, or it is an anonymous one
-  bool isModified() const;      //!< since the session was saved or opened
+  //! The file there is not the one that was opened or saved here last: somebody else has written it.
+  bool isSessionChangedElsewhere() const;
+  bool isModified() const;  //!< since the session was saved or opened
 
   // --- crash recovery ---
   //! Journals that ended without a clean close, newest first (paths to session files).

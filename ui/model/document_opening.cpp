@@ -129,6 +129,7 @@ void Document::Private::adoptObjects(const QString& path, const std::vector<Sess
     undo.resetClean();
   } else if (!work->isAnonymous) {  // what is saved names the volume, and is not to take its place unasked
     sessionPath = path;
+    sessionStamp = work->stamp;
   }
 }
 

@@ -11,6 +11,7 @@
 #include "ui/model/background.h"
 #include "ui/model/corrected_frames.h"
 #include "ui/model/document.h"
+#include "ui/model/file_stamp.h"
 #include "ui/model/jobs_under_way.h"
 #include "ui/model/journal.h"
 #include "ui/model/measurements.h"
@@ -52,6 +53,7 @@ struct ReadWork {
 
 //! What a session that is being written holds.
 struct WrittenState {
+  FileStamp stamp{};  // of its file, once it is there
   int edit = 0;
   std::vector<std::pair<std::weak_ptr<ObjectWork>, int>> iterations{};  // the shown one of each object
   // Of a frame, that was under way; none: none was.
@@ -196,6 +198,7 @@ class Document::Private : public ObjectHost {
   // the moment at which it takes the place of what was open: jobs tell by it whether theirs is open still.
   std::shared_ptr<std::string> hash;
   QString sessionPath;
+  FileStamp sessionStamp;  // of what was opened or written there last
   QByteArray view;
   bool wasModified = false;
   NewestJob opening, openingObjects;

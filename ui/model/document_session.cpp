@@ -120,6 +120,7 @@ void Document::Private::saveSession(const QString& path) {
     const QString failed = whyNot([&] {
       for (Session& session : made) complete(session, *known);
       writeSessions(made, fileName(path));
+      state.stamp = stampOf(path);
     });
     QMetaObject::invokeMethod(
         &q,
@@ -137,7 +138,8 @@ void Document::Private::saveSession(const QString& path) {
 
 //! The job that writes may be the last that has it: it must not keep the objects, which live on this thread.
 WrittenState Document::Private::stateToWrite() const {
-  WrittenState state{edits};
+  WrittenState state;
+  state.edit = edits;
   for (const auto& object : objects) state.iterations.emplace_back(object, object->growth().iteration());
   if (!corrected.isOpen()) return state;
   state.iterations.emplace_back(corrected.home(), corrected.home()->growth().iteration());
@@ -147,6 +149,7 @@ WrittenState Document::Private::stateToWrite() const {
 
 void Document::Private::saved(const QString& path, const WrittenState& state) {
   sessionPath = path;
+  sessionStamp = state.stamp;
   for (const auto& [object, iteration] : state.iterations)
     if (const auto there = object.lock()) there->setSavedIteration(iteration);
   const bool isLeft = state.correction && state.correction->lock() != objects.active();
@@ -159,6 +162,12 @@ void Document::Private::saved(const QString& path, const WrittenState& state) {
 }
 
 QString Document::sessionPath() const { return d_->sessionPath; }
+
+bool Document::isSessionChangedElsewhere() const {
+  if (d_->sessionPath.isEmpty()) return false;
+  const FileStamp now = stampOf(d_->sessionPath);
+  return now.isThere() && now != d_->sessionStamp;
+}
 
 //! No object can be added then, but undo brings one back that was there before.
 QString Document::leftOut() const {

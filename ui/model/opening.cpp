@@ -79,6 +79,7 @@ OpeningResult read(const OpeningRequest& asked, const std::function<void(double)
   const auto start = std::chrono::steady_clock::now();
   OpenedWork work;
   work.reference = {fileName(asked.path), {}, asked.selection};
+  work.stamp = stampOf(asked.path);
   progress(-1);
   if (isSessionPath(asked.path))
     if (auto needed = takeSession(asked, work)) return *needed;

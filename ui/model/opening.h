@@ -13,6 +13,7 @@
 #include "core/io/formats/time_axis.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/report/session.h"
+#include "ui/model/file_stamp.h"
 
 namespace handlebody::ui {
 
@@ -33,6 +34,7 @@ struct OpenedWork {
   double seconds = 0;             //!< that reading took
   TimeAxis times{};               //!< of a volume with several time points
   bool isAnonymous = false;       //!< the session does not say where its files are
+  FileStamp stamp{};              //!< of the file that was opened, before it was read
 };
 
 //! A folder of several series of which none was chosen.

@@ -404,6 +404,31 @@ TEST_CASE("a session is saved where another file that is read meanwhile cannot b
   CHECK_FALSE(work.document.isModified());
 }
 
+TEST_CASE("a session that somebody else has written is told from the one that was opened or saved",
+          "[document]") {
+  GrownWork work;
+  const QString session = work.torus.file("session.json");
+  const auto writeElsewhere = [&] {
+    QFile file(session);
+    return file.open(QIODevice::Append) && file.write("\n") == 1;
+  };
+  CHECK_FALSE(work.document.isSessionChangedElsewhere());  // there is none
+  REQUIRE(work.saveTo(session));
+  CHECK_FALSE(work.document.isSessionChangedElsewhere());
+  Document other;
+  REQUIRE(openAndWait(other, session));
+  CHECK_FALSE(other.isSessionChangedElsewhere());
+  REQUIRE(writeElsewhere());
+  CHECK(work.document.isSessionChangedElsewhere());
+  CHECK(other.isSessionChangedElsewhere());
+  work.written.clear();
+  REQUIRE(work.saveTo(session));
+  CHECK_FALSE(work.document.isSessionChangedElsewhere());
+  CHECK(other.isSessionChangedElsewhere());
+  REQUIRE(QFile::remove(session));
+  CHECK_FALSE(other.isSessionChangedElsewhere());  // nothing is lost
+}
+
 TEST_CASE("what is changed while a session is written is not saved", "[document]") {
   GrownWork work;
   Document& document = work.document;

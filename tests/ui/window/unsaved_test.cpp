@@ -39,6 +39,23 @@ class Answers {
   QTimer timer_;
 };
 
+//! Presses the button of the question that is asked next, soon; closes one that has no such button.
+void pressSoon(const char* text) {
+  QTimer::singleShot(300, qApp, [text] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!box) return;
+    const auto buttons = box->buttons();
+    for (QAbstractButton* button : buttons)
+      if (button->text().contains(QLatin1String(text))) return button->click();
+    box->reject();
+  });
+}
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
 //! A seed in the sample's volume, saved in a session.
 struct Saved {
   QTemporaryDir folder;
@@ -94,6 +111,7 @@ class UnsavedTest : public QObject {
   void aWindowThatStaysOpenAsksTheNextTime();
   void aSessionThatIsBeingWrittenIsWaitedFor();
   void theWindowStaysWhereTheSessionCannotBeWritten();
+  void whatIsSavedElsewhereIsNotReplacedUnasked();
   void whatIsDoneWhileAFileIsReadIsAskedAbout();
   void whatIsSavedWhileAFileIsReadIsNotAskedAbout();
   void nothingTakesThePlaceOfWhatANameIsAskedFor();
@@ -169,6 +187,36 @@ void UnsavedTest::theWindowStaysWhereTheSessionCannotBeWritten() {
   QTest::qWait(300);
   QVERIFY(s.window->isVisible());
   QCOMPARE(answers.asked(), 0);
+}
+
+void UnsavedTest::whatIsSavedElsewhereIsNotReplacedUnasked() {
+  Saved s;
+  QVERIFY(s.ok);
+  QFile elsewhere(s.session);
+  QVERIFY(elsewhere.open(QIODevice::Append) && elsewhere.write("\n\n") == 2);
+  elsewhere.close();
+  const QByteArray there = contentOf(s.session);
+  QSignalSpy saved(&s.document(), &ui::Document::sessionSaved);
+  s.setRadius(9);
+  {
+    const Answers cancel;
+    s.window->files().save();
+    QCOMPARE(cancel.asked(), 1);
+  }
+  QTest::qWait(300);
+  QVERIFY(saved.isEmpty() && s.document().isModified());
+  QCOMPARE(contentOf(s.session), there);
+
+  pressSoon("Overwrite");
+  s.window->files().save();
+  QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatience);
+  QVERIFY(contentOf(s.session) != there && !s.document().isModified());
+
+  const Answers none;
+  s.setRadius(10);
+  s.window->files().save();
+  QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 2, kPatience);
+  QCOMPARE(none.asked(), 0);
 }
 
 void UnsavedTest::whatIsDoneWhileAFileIsReadIsAskedAbout() {

@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QProgressDialog>
+#include <QPushButton>
 #include <QSaveFile>
 #include <QSettings>
 #include <QUndoStack>
@@ -403,7 +404,26 @@ bool FileWork::mayClose() {
 void FileWork::save() {
   const QString path = document_.sessionPath();
   if (path.isEmpty() || isSample(path)) return saveAs();
+  // While it is being written here it is not known yet what that leaves there.
+  if (saving_ == 0 && document_.isSessionChangedElsewhere()) return saveOverChanged(path);
   saveSession(path);
+}
+
+//! As another window or program does that has the same session.
+void FileWork::saveOverChanged(const QString& path) {
+  const Asking asking(*this);
+  QMessageBox question(
+      QMessageBox::Question, tr("Save the session"),
+      tr("%1 was changed elsewhere since it was opened or saved here. Replace what is there?")
+          .arg(QFileInfo(path).fileName()),
+      QMessageBox::Cancel, window_);
+  const QAbstractButton* overwrite = question.addButton(tr("Overwrite"), QMessageBox::DestructiveRole);
+  auto* elsewhere = question.addButton(tr("Save as…"), QMessageBox::AcceptRole);
+  question.setDefaultButton(elsewhere);
+  question.exec();
+  if (question.clickedButton() == overwrite) return saveSession(path);
+  if (question.clickedButton() == elsewhere) return saveAs();
+  next_ = nullptr;
 }
 
 void FileWork::saveSession(const QString& path) {

@@ -74,6 +74,7 @@ class FileWork : public QObject {
   //! Runs `next` at once, after saving, or not at all, as the user answers; `otherwise` if not at all.
   void whenSaved(std::function<void()> next, const std::function<void()>& otherwise = {});
   void saveSession(const QString& path);
+  void saveOverChanged(const QString& path);
   class Asking;
   void replaceOpen();
   void replaceOpenSoon();
