@@ -103,6 +103,8 @@ class FileWork : public QObject {
   QStringList frameFiles(const QString& path) const;
   //! `mayTell`: it may tell the volume's name, if the step Export does not say otherwise.
   QString suggestedBase(bool mayTell = true) const;
+  //! Of what was opened or saved last; empty: none.
+  static QString lastFolder();
   void connectMessages();
   void connectObjects();
   void sayOpenFailed(const QString& sentence, bool needsSpacing);
@@ -127,6 +129,21 @@ class FileWork : public QObject {
   int asking_ = 0;                  //!< questions about the work that is open
   bool closesWhenWritten_ = false;
   bool closing_ = false;  //!< the next close() needs no answer any more
+};
+
+//! While one lives the user is asked about the work that is open, which stays until he has answered.
+class FileWork::Asking {
+ public:
+  explicit Asking(FileWork& work) : work_(work) { ++work_.asking_; }
+  ~Asking() {
+    --work_.asking_;
+    work_.replaceOpenSoon();
+  }
+  Asking(const Asking&) = delete;
+  Asking& operator=(const Asking&) = delete;
+
+ private:
+  FileWork& work_;
 };
 
 }  // namespace handlebody::ui
