@@ -4509,6 +4509,22 @@ Mittel ± SA</translation>
         <source>“%1” is locked: unlock it to grow in another frame.</source>
         <translation>„%1“ ist gesperrt: entsperren Sie es, um in einem anderen Bild zu wachsen.</translation>
     </message>
+    <message>
+        <source>Nothing is kept for the case that the program ends unexpectedly: save the session. %1</source>
+        <translation>Für den Fall, dass das Programm unerwartet endet, wird nichts aufbewahrt: Speichern Sie die Sitzung. %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Of the frames %1–%2 the surface is in these only: %3. Carry it through all of them first.</source>
+        <translation>Von den Bildern %1–%2 hat nur ein Teil die Oberfläche: %3. Tragen Sie sie zuerst durch alle.</translation>
+    </message>
+    <message>
+        <source>Frames %1: %2</source>
+        <translation>Bilder %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>
@@ -4851,10 +4867,6 @@ Mittel ± SA</translation>
         <translation>Schreiben abbrechen</translation>
     </message>
     <message>
-        <source>Nothing is left of the file</source>
-        <translation>Von der Datei bleibt nichts</translation>
-    </message>
-    <message>
         <source>Writing %1…</source>
         <translation>%1 wird geschrieben…</translation>
     </message>
@@ -4969,6 +4981,14 @@ Mittel ± SA</translation>
     <message>
         <source>What a file holds: names and colours stay apart where it can; to the name of a file of one object its name is added</source>
         <translation>Was eine Datei enthält: Namen und Farben bleiben getrennt, wo sie es kann; an den Namen der Datei eines Objekts wird dessen Name angehängt</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the file, nor of those that wait</source>
+        <translation>Von der Datei bleibt nichts übrig, auch nicht von denen, die warten</translation>
+    </message>
+    <message>
+        <source>Waiting: %1.</source>
+        <translation>Es warten: %1.</translation>
     </message>
 </context>
 <context>
@@ -5124,6 +5144,18 @@ Mittel ± SA</translation>
     <message>
         <source>Stay open</source>
         <translation>Offen bleiben</translation>
+    </message>
+    <message>
+        <source>%1 was changed elsewhere since it was opened or saved here. Replace what is there?</source>
+        <translation>%1 wurde anderswo geändert, seit die Datei hier geöffnet oder gespeichert wurde. Ersetzen, was dort steht?</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
     </message>
 </context>
 <context>
@@ -6563,10 +6595,6 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
         <source>These are of an earlier surface of frame %1: carry it anew.</source>
         <translation>Diese gehören zu einer früheren Oberfläche von Bild %1: Tragen Sie sie neu.</translation>
     </message>
-    <message>
-        <source>Not all frames were carried to.</source>
-        <translation>Nicht alle Bilder wurden erreicht.</translation>
-    </message>
 </context>
 <context>
     <name>handlebody::ui::RulersPage</name>
@@ -6941,6 +6969,10 @@ oder eine Datei hier ablegen</translation>
     <message>
         <source>Open with this spacing</source>
         <translation>Mit diesem Abstand öffnen</translation>
+    </message>
+    <message>
+        <source>File without a spacing</source>
+        <translation>Datei ohne Voxelabstand</translation>
     </message>
 </context>
 <context>

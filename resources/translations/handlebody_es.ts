@@ -4509,6 +4509,22 @@ cercano (mm)</translation>
         <source>“%1” is locked: unlock it to grow in another frame.</source>
         <translation>«%1» está bloqueado: desbloquéelo para crecer en otro fotograma.</translation>
     </message>
+    <message>
+        <source>Nothing is kept for the case that the program ends unexpectedly: save the session. %1</source>
+        <translation>No se conserva nada por si el programa termina de forma inesperada: guarde la sesión. %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Of the frames %1–%2 the surface is in these only: %3. Carry it through all of them first.</source>
+        <translation>De los fotogramas %1–%2, solo estos tienen la superficie: %3. Propáguela primero a todos.</translation>
+    </message>
+    <message>
+        <source>Frames %1: %2</source>
+        <translation>Fotogramas %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>
@@ -4851,10 +4867,6 @@ cercano (mm)</translation>
         <translation>Cancelar la escritura</translation>
     </message>
     <message>
-        <source>Nothing is left of the file</source>
-        <translation>No queda nada del archivo</translation>
-    </message>
-    <message>
         <source>Writing %1…</source>
         <translation>Escribiendo %1…</translation>
     </message>
@@ -4969,6 +4981,14 @@ cercano (mm)</translation>
     <message>
         <source>What a file holds: names and colours stay apart where it can; to the name of a file of one object its name is added</source>
         <translation>Lo que contiene un archivo: nombres y colores quedan separados donde puede; al nombre del archivo de un solo objeto se le añade el del objeto</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the file, nor of those that wait</source>
+        <translation>No queda nada del archivo ni de los que esperan</translation>
+    </message>
+    <message>
+        <source>Waiting: %1.</source>
+        <translation>En espera: %1.</translation>
     </message>
 </context>
 <context>
@@ -5124,6 +5144,18 @@ cercano (mm)</translation>
     <message>
         <source>Stay open</source>
         <translation>Seguir abierta</translation>
+    </message>
+    <message>
+        <source>%1 was changed elsewhere since it was opened or saved here. Replace what is there?</source>
+        <translation>%1 se modificó en otro lugar desde que se abrió o guardó aquí. ¿Reemplazar lo que hay?</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Sobrescribir</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
     </message>
 </context>
 <context>
@@ -6563,10 +6595,6 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
         <source>These are of an earlier surface of frame %1: carry it anew.</source>
         <translation>Son de una superficie anterior del fotograma %1: propáguela de nuevo.</translation>
     </message>
-    <message>
-        <source>Not all frames were carried to.</source>
-        <translation>No se propagó a todos los fotogramas.</translation>
-    </message>
 </context>
 <context>
     <name>handlebody::ui::RulersPage</name>
@@ -6941,6 +6969,10 @@ o soltar aquí un archivo</translation>
     <message>
         <source>Open with this spacing</source>
         <translation>Abrir con este espaciado</translation>
+    </message>
+    <message>
+        <source>File without a spacing</source>
+        <translation>Archivo sin espaciado</translation>
     </message>
 </context>
 <context>

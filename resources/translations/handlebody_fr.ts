@@ -4509,6 +4509,22 @@ proche (mm)</translation>
         <source>“%1” is locked: unlock it to grow in another frame.</source>
         <translation>« %1 » est verrouillé : déverrouillez-le pour croître dans une autre image.</translation>
     </message>
+    <message>
+        <source>Nothing is kept for the case that the program ends unexpectedly: save the session. %1</source>
+        <translation>Rien n’est conservé pour le cas où le programme se terminerait de façon inattendue : enregistrez la session. %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Of the frames %1–%2 the surface is in these only: %3. Carry it through all of them first.</source>
+        <translation>Des images %1–%2, seules celles-ci ont la surface : %3. Portez-la d’abord à travers toutes.</translation>
+    </message>
+    <message>
+        <source>Frames %1: %2</source>
+        <translation>Images %1 : %2</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>
@@ -4851,10 +4867,6 @@ proche (mm)</translation>
         <translation>Annuler l’écriture</translation>
     </message>
     <message>
-        <source>Nothing is left of the file</source>
-        <translation>Il ne reste rien du fichier</translation>
-    </message>
-    <message>
         <source>Writing %1…</source>
         <translation>Écriture de %1…</translation>
     </message>
@@ -4969,6 +4981,14 @@ proche (mm)</translation>
     <message>
         <source>What a file holds: names and colours stay apart where it can; to the name of a file of one object its name is added</source>
         <translation>Ce que contient un fichier : noms et couleurs restent séparés là où il le permet ; le nom de l'objet est ajouté à celui du fichier d'un seul objet</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the file, nor of those that wait</source>
+        <translation>Il ne reste rien du fichier, ni de ceux qui attendent</translation>
+    </message>
+    <message>
+        <source>Waiting: %1.</source>
+        <translation>En attente : %1.</translation>
     </message>
 </context>
 <context>
@@ -5124,6 +5144,18 @@ proche (mm)</translation>
     <message>
         <source>Stay open</source>
         <translation>Rester ouverte</translation>
+    </message>
+    <message>
+        <source>%1 was changed elsewhere since it was opened or saved here. Replace what is there?</source>
+        <translation>%1 a été modifié ailleurs depuis son ouverture ou son enregistrement ici. Remplacer ce qui s’y trouve ?</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Écraser</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
     </message>
 </context>
 <context>
@@ -6563,10 +6595,6 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
         <source>These are of an earlier surface of frame %1: carry it anew.</source>
         <translation>Celles-ci viennent d’une surface antérieure de l’image %1 : portez-la de nouveau.</translation>
     </message>
-    <message>
-        <source>Not all frames were carried to.</source>
-        <translation>Toutes les images n’ont pas été atteintes.</translation>
-    </message>
 </context>
 <context>
     <name>handlebody::ui::RulersPage</name>
@@ -6941,6 +6969,10 @@ ou déposer un fichier ici</translation>
     <message>
         <source>Open with this spacing</source>
         <translation>Ouvrir avec cet espacement</translation>
+    </message>
+    <message>
+        <source>File without a spacing</source>
+        <translation>Fichier sans espacement</translation>
     </message>
 </context>
 <context>

@@ -4509,6 +4509,22 @@ mean ± SD</source>
         <source>“%1” is locked: unlock it to grow in another frame.</source>
         <translation>“%1”已锁定：请先解锁，再在另一帧中生长。</translation>
     </message>
+    <message>
+        <source>Nothing is kept for the case that the program ends unexpectedly: save the session. %1</source>
+        <translation>若程序意外退出，将没有任何内容被保留：请保存会话。%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Of the frames %1–%2 the surface is in these only: %3. Carry it through all of them first.</source>
+        <translation>在帧 %1–%2 中，只有以下帧有表面：%3。请先将其传递到所有帧。</translation>
+    </message>
+    <message>
+        <source>Frames %1: %2</source>
+        <translation>帧 %1：%2</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>
@@ -4851,10 +4867,6 @@ mean ± SD</source>
         <translation>取消写入</translation>
     </message>
     <message>
-        <source>Nothing is left of the file</source>
-        <translation>文件不会保留</translation>
-    </message>
-    <message>
         <source>Writing %1…</source>
         <translation>正在写入 %1…</translation>
     </message>
@@ -4969,6 +4981,14 @@ mean ± SD</source>
     <message>
         <source>What a file holds: names and colours stay apart where it can; to the name of a file of one object its name is added</source>
         <translation>文件所含内容：格式允许时名称和颜色保持独立；单个对象的文件名后会加上该对象的名称</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the file, nor of those that wait</source>
+        <translation>该文件及等待中的文件都不会保留</translation>
+    </message>
+    <message>
+        <source>Waiting: %1.</source>
+        <translation>等待中：%1。</translation>
     </message>
 </context>
 <context>
@@ -5124,6 +5144,18 @@ mean ± SD</source>
     <message>
         <source>Stay open</source>
         <translation>保持打开</translation>
+    </message>
+    <message>
+        <source>%1 was changed elsewhere since it was opened or saved here. Replace what is there?</source>
+        <translation>%1 自在此处打开或保存后已在别处被更改。要替换现有内容吗？</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>另存为…</translation>
     </message>
 </context>
 <context>
@@ -6563,10 +6595,6 @@ Others are where objects begin: they grow from there onto the image, or give gro
         <source>These are of an earlier surface of frame %1: carry it anew.</source>
         <translation>这些来自第 %1 帧较早的表面：请重新传递。</translation>
     </message>
-    <message>
-        <source>Not all frames were carried to.</source>
-        <translation>并非所有帧都已传递到。</translation>
-    </message>
 </context>
 <context>
     <name>handlebody::ui::RulersPage</name>
@@ -6941,6 +6969,10 @@ or drop a file here</source>
     <message>
         <source>Open with this spacing</source>
         <translation>以此间距打开</translation>
+    </message>
+    <message>
+        <source>File without a spacing</source>
+        <translation>没有间距的文件</translation>
     </message>
 </context>
 <context>
