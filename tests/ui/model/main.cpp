@@ -3,17 +3,13 @@
 #include <QCoreApplication>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-#if __has_include(<catch2/catch_session.hpp>)
-#include <catch2/catch_session.hpp>
-#else
-#define CATCH_CONFIG_RUNNER
-#include <catch2/catch.hpp>
-#endif
+
+#include "tests/support/run_catch.h"
 
 int main(int argc, char** argv) {
   const QTemporaryDir home;
   if (qEnvironmentVariableIsEmpty("HANDLEBODY_TEST_DATA")) qputenv("XDG_DATA_HOME", home.path().toUtf8());
   QCoreApplication application(argc, argv);
   QCoreApplication::setApplicationName(QStringLiteral("handlebody-tests"));
-  return Catch::Session().run(argc, argv);
+  return handlebody::test::runCatch(argc, argv);
 }
