@@ -11,10 +11,16 @@
 namespace handlebody::ui {
 
 SliceMeasuring::SliceMeasuring(Document& document, ViewState& state, SliceGeometry& geometry, QWidget& view)
-    : QObject(&view), document_(document), state_(state), geometry_(geometry), view_(view) {
+    : QObject(&view),
+      document_(document),
+      state_(state),
+      geometry_(geometry),
+      view_(view),
+      drag_(document.measurements()) {
   const auto repaint = [this] { view_.update(); };
   connect(&state_.measure(), &MeasureTool::changed, this, repaint);
   connect(&document_.measurements(), &Measurements::changed, this, repaint);
+  connect(&document_, &Document::opened, this, [this] { drag_.end(); });
 }
 
 //! No other tool has the left button.
@@ -50,15 +56,13 @@ bool SliceMeasuring::press(const QMouseEvent& event) {
     state_.measure().place(placeAt(event.position()), document_.measurements());
     return true;
   }
-  dragged_ = grabAt(geometry_, document_, event.position());
-  if (!dragged_) return false;
-  gesture_ = ViewState::nextGesture();
-  document_.measurements().select(dragged_->measurement);
-  return true;
+  const auto grab = grabAt(geometry_, document_, event.position());
+  if (grab) drag_.begin(*grab);
+  return grab.has_value();
 }
 
 bool SliceMeasuring::move(const QMouseEvent& event) {
-  if (dragged_) {
+  if (drag_.isOn()) {
     dragTo(event.position());
     return true;
   }
@@ -74,8 +78,8 @@ bool SliceMeasuring::move(const QMouseEvent& event) {
 }
 
 bool SliceMeasuring::release(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton || (!dragged_ && !pressed_)) return false;
-  dragged_.reset();
+  if (event.button() != Qt::LeftButton || (!drag_.isOn() && !pressed_)) return false;
+  drag_.end();
   pressed_ = false;
   return true;
 }
@@ -101,12 +105,8 @@ Vec3 SliceMeasuring::placeAt(const QPointF& pixel) const {
 
 //! Within the slice: how far the point lies from it stays.
 void SliceMeasuring::dragTo(const QPointF& pixel) {
-  Measurements& list = document_.measurements();
-  if (dragged_->measurement >= static_cast<int>(list.all().size())) return;  // undone meanwhile
-  const auto& points = list.all()[dragged_->measurement].points;
-  const double away = geometry_.distance(points[dragged_->point]);
-  list.movePoint(dragged_->measurement, dragged_->point, placeAt(pixel) + away * geometry_.normal(),
-                 gesture_);
+  if (const auto held = drag_.held())
+    drag_.moveTo(placeAt(pixel) + geometry_.distance(*held) * geometry_.normal());
 }
 
 }  // namespace handlebody::ui

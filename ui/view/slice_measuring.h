@@ -3,9 +3,8 @@
 // measurement.
 
 #include <QObject>
-#include <optional>
 
-#include "ui/view/measure_overlay.h"
+#include "ui/view/measurement_drag.h"
 
 class QKeyEvent;
 class QMouseEvent;
@@ -39,8 +38,7 @@ class SliceMeasuring : public QObject {
   ViewState& state_;
   SliceGeometry& geometry_;
   QWidget& view_;
-  std::optional<MeasurementGrab> dragged_;
-  int gesture_ = -1;
+  MeasurementDrag drag_;
   bool pressed_ = false;  //!< by a press that was for the tool
 };
 

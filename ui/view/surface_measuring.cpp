@@ -59,11 +59,17 @@ std::optional<SurfaceHit> hitAt(const CameraPose& pose, const QSizeF& size, cons
 
 SurfaceMeasuring::SurfaceMeasuring(Document& document, ViewState& state,
                                    std::function<std::optional<CameraPose>()> pose, QWidget& view)
-    : QObject(&view), document_(document), state_(state), pose_(std::move(pose)), view_(view) {
+    : QObject(&view),
+      document_(document),
+      state_(state),
+      pose_(std::move(pose)),
+      view_(view),
+      drag_(document.measurements()) {
   view_.setMouseTracking(true);
   const auto repaint = [this] { view_.update(); };
   connect(&state_.measure(), &MeasureTool::changed, this, repaint);
   connect(&document_.measurements(), &Measurements::changed, this, repaint);
+  connect(&document_, &Document::opened, this, [this] { drag_.end(); });
 }
 
 bool SurfaceMeasuring::eventFilter(QObject*, QEvent* event) {
@@ -95,19 +101,14 @@ bool SurfaceMeasuring::press(const QMouseEvent& event) {
     pressed_ = event.position();
     return false;  // it may become a turn of the camera
   }
-  dragged_ = grab(event.position());
-  if (!dragged_) return false;
-  gesture_ = ViewState::nextGesture();
-  document_.measurements().select(dragged_->measurement);
-  return true;
+  const auto end = grab(event.position());
+  if (end) drag_.begin(*end);
+  return end.has_value();
 }
 
 bool SurfaceMeasuring::move(const QMouseEvent& event) {
-  if (dragged_) {
-    const auto place = placeAt(event.position());
-    Measurements& list = document_.measurements();
-    if (place && dragged_->measurement < static_cast<int>(list.all().size()))
-      list.movePoint(dragged_->measurement, dragged_->point, *place, gesture_);
+  if (drag_.isOn()) {
+    if (const auto place = placeAt(event.position())) drag_.moveTo(*place);
     return true;
   }
   if (event.buttons() != Qt::NoButton) return false;
@@ -126,8 +127,8 @@ bool SurfaceMeasuring::move(const QMouseEvent& event) {
 
 bool SurfaceMeasuring::release(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton) return false;
-  if (dragged_) {
-    dragged_.reset();
+  if (drag_.isOn()) {
+    drag_.end();
     return true;
   }
   const auto pressed = std::exchange(pressed_, std::nullopt);

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "ui/view/measure_overlay.h"
+#include "ui/view/measurement_drag.h"
 
 class QKeyEvent;
 class QMouseEvent;
@@ -49,9 +49,8 @@ class SurfaceMeasuring : public QObject {
   ViewState& state_;
   std::function<std::optional<CameraPose>()> pose_;
   QWidget& view_;
-  std::optional<MeasurementGrab> dragged_;
+  MeasurementDrag drag_;
   std::optional<QPointF> pressed_;  //!< a press that may become a click
-  int gesture_ = -1;
   bool isOverEnd_ = false;
 };
 

@@ -80,6 +80,8 @@ void Document::setSeedRadius(int index, std::optional<double> radius, int gestur
   Q_EMIT seedsChanged();
 }
 
+QUndoStack* Document::undoStack() const { return &d_->undo; }
+
 Measurements& Document::measurements() const { return d_->measurements; }
 
 void Document::selectSeed(int index) {

@@ -49,6 +49,20 @@ struct MeasuredSlice : Work {
 //! Within all three slices of both volumes.
 const QPoint kFrom(185, 120), kTo(222, 178), kThird(170, 165);
 
+//! With the left button held down.
+void moveHeld(QWidget& view, const QPointF& at) {
+  QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&view, &move);
+}
+
+//! The first is made and deleted, then the second is made: two steps back the first has the place of the
+//! second.
+void makeOneAfterTheOther(Measurements& list, const Measurement& first, const Measurement& second) {
+  list.add(first);
+  list.remove(0);
+  list.add(second);
+}
+
 bool isMark(const QColor& c) {  // of a ruler, chosen or not
   return c.green() > 180 && (c.blue() > 180 || c.red() > 220) && std::abs(c.red() - c.blue()) > 90;
 }
@@ -187,4 +201,68 @@ TEST_CASE("Clicks on the surface in 3D place points on it; a drag turns the came
   drag(view, Qt::LeftButton, middle, middle + QPoint(30, 0));
   CHECK(std::abs((list[0].points[1] - centre).norm() - kRadius) < 0.5);
   CHECK((list[0].points[1] - (centre + kRadius * Vec3::UnitX())).norm() > 1);
+}
+
+TEST_CASE("The end that the mouse holds is let go where undo puts another measurement in its place",
+          "[measuring]") {
+  MeasuredSlice slice(Plane::axial);
+  const auto at = [&](const QPoint& pixel) { return slice.geometry.toWorld(pixel); };
+  const Measurement first{MeasurementKind::ruler, {at(kFrom), at(kTo)}};
+  const Measurement ruler{MeasurementKind::ruler, {at(kFrom), at(kThird)}};
+  const Measurement angle{MeasurementKind::angle, {at(kFrom), at(kTo), at(kThird)}};  // one point more
+  for (const Measurement& held : {ruler, angle}) {
+    makeOneAfterTheOther(slice.document.measurements(), first, held);
+    QTest::mousePress(&slice.view, Qt::LeftButton, {}, kThird);
+    slice.document.undoStack()->undo();
+    slice.document.undoStack()->undo();
+    REQUIRE(slice.list() == std::vector{first});
+    moveHeld(slice.view, kThird + QPoint(20, 10));
+    QTest::mouseRelease(&slice.view, Qt::LeftButton, {}, kThird + QPoint(20, 10));
+    CHECK(slice.list() == std::vector{first});
+    slice.document.measurements().remove(0);
+  }
+}
+
+TEST_CASE("An end that is dragged is let go when another volume is opened", "[measuring]") {
+  MeasuredSlice slice(Plane::axial);
+  const Measurement ruler{MeasurementKind::ruler,
+                          {slice.geometry.toWorld(kFrom), slice.geometry.toWorld(kTo)}};
+  slice.document.measurements().add(ruler);
+  QTest::mousePress(&slice.view, Qt::LeftButton, {}, kTo);
+  setVolume(slice.document, slice.volume);  // with a session that has the same ruler
+  slice.document.measurements().startWith({ruler});
+  moveHeld(slice.view, kThird);
+  QTest::mouseRelease(&slice.view, Qt::LeftButton, {}, kThird);
+  CHECK(slice.list() == std::vector{ruler});
+}
+
+TEST_CASE("In 3D, too, the end that the mouse holds is let go where undo takes it away", "[measuring]") {
+  Work work;
+  work.open();
+  SurfaceView view(work.document, work.state);
+  view.setFlightTime(0);
+  show(view, {kWidth, kHeight});
+  if (!view.hasOpenGl()) {
+    std::cout << "SKIPPED: no OpenGL\n";
+    return;
+  }
+  const Vec3 centre = work.world(32, 32, 32);
+  constexpr double kRadius = 14;
+  setSnapshot(work.document, icosphere(centre, kRadius, 1.5));
+  view.lookFrom(Plane::coronal);
+  view.resetCamera();
+  view.picture();
+  const Vec3 front = centre - kRadius * Vec3::UnitY(), left = centre + kRadius * Vec3::UnitX();
+  const Measurement first{MeasurementKind::ruler, {front, left}};
+  Measurements& list = work.document.measurements();
+  makeOneAfterTheOther(list, first,
+                       {MeasurementKind::angle, {left, centre + kRadius * Vec3::UnitZ(), front}});
+  const QPoint middle(kWidth / 2, kHeight / 2);  // there the front is seen
+  QTest::mousePress(&view, Qt::LeftButton, {}, middle);
+  work.document.undoStack()->undo();
+  work.document.undoStack()->undo();
+  REQUIRE(list.all() == std::vector{first});
+  moveHeld(view, middle + QPoint(20, 10));
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(20, 10));
+  CHECK(list.all() == std::vector{first});
 }
