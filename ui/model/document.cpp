@@ -34,11 +34,12 @@ Document::Private::Private(Document& document) : q(document) {
   });
   QObject::connect(&undo, &QUndoStack::cleanChanged, &q, [this] { updateModified(); });
   QObject::connect(&time, &TimeSeries::shownChanged, &q, [this] { shownFrameChanged(); });
-  QObject::connect(&time, &TimeSeries::carriedChanged, &q, [this] {
-    if (time.showsWorkFrame()) return;
-    Q_EMIT q.objectsChanged();
-    Q_EMIT q.snapshotChanged();
-  });
+  for (auto changed : {&TimeSeries::carriedChanged, &TimeSeries::requestChanged})
+    QObject::connect(&time, changed, &q, [this] {
+      if (time.showsWorkFrame()) return;
+      Q_EMIT q.objectsChanged();
+      Q_EMIT q.snapshotChanged();
+    });
   QObject::connect(&time, &TimeSeries::requestChanged, &q, [this] { journalNow(); });
   QObject::connect(&measurements, &Measurements::changed, &q, [this] { journalNow(); });
 }

@@ -296,6 +296,8 @@ class Document : public QObject {
   QString carryFault() const;
   //! What was carried started from the surface that is shown in the frame it is grown in.
   bool isCarriedCurrent() const;
+  //! The shown surface was carried to its frame, but not so, or not as is asked for now.
+  bool isShownOutOfDate() const;
   //! The shown frame, to which the surface was carried, becomes the one that is changed, with its own clicks,
   //! walls and edits; it is grown again from the surface of the frame beside it. Nothing where
   //! correctionFault() says why.

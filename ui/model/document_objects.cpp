@@ -135,7 +135,7 @@ std::vector<std::string> Document::anonymousNames() const {
 }
 
 std::shared_ptr<const FinishedMesh> Document::finishedMesh(int index) const {
-  if (d_->corrected.isOpen() && d_->time.showsGrownFrame()) return d_->corrected.home()->finished();
+  if (d_->showsHome()) return d_->corrected.home()->finished();
   if (d_->time.showsWorkFrame()) return d_->objects.at(index).finished();
   const CarriedFrame* carried = isCarriedCurrent() ? d_->carriedHere() : nullptr;
   return carried ? carried->finished : nullptr;

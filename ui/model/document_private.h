@@ -120,6 +120,8 @@ class Document::Private : public ObjectHost {
   void setGrownFrame(int frame);
   void shownFrameChanged();
   std::shared_ptr<const MeshSnapshot> shownOf(const ObjectWork& object) const;
+  //! The grown frame is shown while another one is corrected.
+  bool showsHome() const { return corrected.isOpen() && time.showsGrownFrame(); }
   //! What was carried to the shown frame, of the object that there is; null: nothing.
   const CarriedFrame* carriedHere() const;
   void carryAgain(const std::optional<int>& again = {});

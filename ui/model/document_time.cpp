@@ -141,7 +141,7 @@ void Document::Private::shownFrameChanged() {
 }
 
 std::shared_ptr<const MeshSnapshot> Document::Private::shownOf(const ObjectWork& object) const {
-  if (corrected.isOpen() && time.showsGrownFrame()) return corrected.home()->growth().snapshot();
+  if (showsHome()) return corrected.home()->growth().snapshot();
   if (time.showsWorkFrame()) return object.growth().snapshot();
   const CarriedFrame* carried = carriedHere();
   return carried ? carried->snapshot : nullptr;
@@ -189,6 +189,12 @@ bool Document::isCarriedCurrent() const {
   const auto& from = d_->time.carriedFrom();
   const auto now = d_->base()->growth().snapshot();
   return from && now && objectCount() == 1 && from->isOf(*now) && d_->time.isAsRequested();
+}
+
+bool Document::isShownOutOfDate() const {
+  if (d_->time.showsWorkFrame() || d_->showsHome()) return false;
+  const CarriedFrame* here = d_->carriedHere();
+  return here && here->snapshot && !isCarriedCurrent();
 }
 
 void Document::carryOverTime() {

@@ -11,7 +11,16 @@ namespace handlebody::ui {
 
 namespace {
 const QColor kOutlineShadow(0, 0, 0, 110);
+const QColor kPale(0x9a, 0xa0, 0xa6);
+constexpr int kPaleShare = 3;        // parts of four
 constexpr double kOtherWidth = 1.4;  // pixels, thinner than the active one's
+
+QColor paled(const QColor& colour) {
+  const auto mix = [](int pale, int own) { return (kPaleShare * pale + (4 - kPaleShare) * own) / 4; };
+  return {mix(kPale.red(), colour.red()), mix(kPale.green(), colour.green()),
+          mix(kPale.blue(), colour.blue())};
+}
+
 }  // namespace
 
 QColor colourOf(const Document& document, int object) {
@@ -22,7 +31,8 @@ QColor colourOf(const Document& document, int object) {
 QColor activeColour(const Document& document, const QColor& alone) {
   const int active = document.activeObject();
   const bool isChosen = document.objectInfo(active).label.colour != ObjectLabel{}.colour;
-  return document.objectCount() > 1 || isChosen ? colourOf(document, active) : alone;
+  const QColor own = document.objectCount() > 1 || isChosen ? colourOf(document, active) : alone;
+  return document.isShownOutOfDate() ? paled(own) : own;
 }
 
 bool isActiveVisible(const Document& document) {

@@ -17,7 +17,7 @@ struct MeshSnapshot;
 
 QColor colourOf(const Document& document, int object);
 //! Of the active object's outline and surface; `alone` where there is no other and it has the colour that an
-//! object has at first.
+//! object has at first. Pale where what is shown is out of date.
 QColor activeColour(const Document& document, const QColor& alone);
 bool isActiveVisible(const Document& document);
 //! A line over a darker and wider one, seen on any ground.

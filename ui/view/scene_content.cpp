@@ -46,7 +46,9 @@ void SceneContent::update(SurfaceScene& scene) {
 
 void SceneContent::updateMesh(SurfaceScene& scene) {
   colouring_ = state_.meshColouring();
-  scene.setMesh(isActiveVisible(document_) ? document_.snapshot().get() : nullptr, colouring_,
+  const bool isPale = document_.isShownOutOfDate() && colouring_ != MeshColouring::edges;
+  const auto mesh = isActiveVisible(document_) ? document_.snapshot() : nullptr;
+  scene.setMesh(mesh.get(), isPale ? MeshColouring::plain : colouring_,
                 activeColour(document_, plainMaterial()));
   if (const DistanceColours* d = distances())
     scene.colourFaces(distancePalette(d->isSigned), paletteEntries(*d));

@@ -144,7 +144,7 @@ Marks SliceView::Private::paintOutline(QPainter& painter) {
   QVector<QLineF> lines, unsupported, held, partly;
   const auto& segments = outline();
   const bool marks = state.meshColouring() == MeshColouring::support && cutMesh &&
-                     cutMesh->support.covers(cutMesh->mesh.triangles.size());
+                     !document.isShownOutOfDate() && cutMesh->support.covers(cutMesh->mesh.triangles.size());
   const bool isPinned = state.showsConstraints() && cutMesh;
   const auto& parts =
       pinned.of(cutMesh, isPinned ? pinsWithStroke(document, state.brush()) : std::vector<Pin>{});

@@ -77,11 +77,13 @@ void SurfaceView::Private::paintOver(QPainter& painter, const QSizeF& size) {
 //! Of the colours of the mesh.
 void SurfaceView::Private::paintMeaning(QPainter& painter, const QSizeF& size) {
   const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
+  const bool isCurrent = !document.isShownOutOfDate();
   if (const DistanceColours* d = content.distances())
     paintDistanceScale(painter, size, *d);
-  else if (mesh && state.meshColouring() == MeshColouring::state)
+  else if (mesh && isCurrent && state.meshColouring() == MeshColouring::state)
     paintStateLegend(painter);
-  else if (mesh && !mesh->mesh.triangles.empty() && state.meshColouring() == MeshColouring::support)
+  else if (mesh && isCurrent && !mesh->mesh.triangles.empty() &&
+           state.meshColouring() == MeshColouring::support)
     paintSupportLegend(painter, size, *mesh);
   if (content.hasPins()) paintPinLegend(painter, size);
 }

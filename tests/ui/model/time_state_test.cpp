@@ -264,12 +264,34 @@ TEST_CASE("a carried surface that is out of date is shown, but neither measured 
   document.goTo(document.lastIteration() - 1);
   REQUIRE(waitFor([&] { return document.iteration() == document.lastIteration() - 1; }));
   REQUIRE_FALSE(document.isCarriedCurrent());
+  CHECK_FALSE(document.isShownOutOfDate());  // in its own frame it is what there is
   REQUIRE(showFrame(document, 3));
   CHECK(document.snapshot());
+  CHECK(document.isShownOutOfDate());
   CHECK(document.finishedMesh(0) == nullptr);
   document.exportResult(heart.file("frame.stl"), CoordinateSpace::lps);
   CHECK(refused.contains("carry it through"));
   CHECK_FALSE(QFile::exists(heart.file("frame.stl")));
+}
+
+TEST_CASE("whether a carried surface is out of date is told when it is asked for otherwise",
+          "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(carryFrom(document, heart));
+  REQUIRE(showFrame(document, 3));
+  CHECK_FALSE(document.isShownOutOfDate());
+  int told = 0;
+  QObject::connect(&document, &Document::snapshotChanged, [&] { ++told; });
+  OverTimeRequest other = document.time().request();
+  other.holdTopology = !other.holdTopology;
+  document.setOverTime(other, QStringLiteral("Over time"));
+  CHECK(document.isShownOutOfDate());
+  CHECK(told > 0);
+  told = 0;
+  document.undoStack()->undo();
+  CHECK_FALSE(document.isShownOutOfDate());
+  CHECK(told > 0);
 }
 
 TEST_CASE("a frame that is corrected again begins with what was carried there meanwhile",

@@ -21,6 +21,7 @@ struct State {
   std::vector<WallBall> painted, erased, pinned, unpinned;  //!< the last stroke of each
   std::vector<MeshEdit> edits;
   std::vector<ObjectInfo> others;  //!< behind the active one
+  bool outOfDate = false;
 };
 
 //! A document's private part is its own; the functions for tests reach its state here.
@@ -47,6 +48,8 @@ const std::vector<Seed>& Document::seeds() const { return d_->seeds; }
 int Document::selectedSeed() const { return d_->selected; }
 GrowthState Document::state() const { return d_->growth; }
 std::shared_ptr<const MeshSnapshot> Document::snapshot() const { return d_->snapshot; }
+
+bool Document::isShownOutOfDate() const { return d_->outOfDate; }
 
 int Document::objectCount() const { return 1 + static_cast<int>(d_->others.size()); }
 int Document::activeObject() const { return 0; }
@@ -141,6 +144,11 @@ void forgetSupport(Document& document) {
   auto snapshot = std::make_shared<MeshSnapshot>(*states().at(&document)->snapshot);
   snapshot->support = {};
   states().at(&document)->snapshot = snapshot;
+  Q_EMIT document.snapshotChanged();
+}
+
+void setOutOfDate(Document& document, bool isOutOfDate) {
+  states().at(&document)->outOfDate = isOutOfDate;
   Q_EMIT document.snapshotChanged();
 }
 

@@ -19,6 +19,8 @@ void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector
 void forgetSupport(Document& document);
 //! As if another time point were shown.
 void setFrame(Document& document, const Volume& volume);
+//! As if the shown surface were out of date.
+void setOutOfDate(Document& document, bool isOutOfDate);
 //! Objects besides the active one.
 void setOthers(Document& document, const std::vector<ObjectInfo>& others);
 void setGrowthState(Document& document, GrowthState growth);

@@ -476,6 +476,19 @@ TEST_CASE("The mesh's outline lies on the circle in which the slice cuts a spher
   CHECK(onCircle > 0.7 * 2 * M_PI * radius);
 }
 
+TEST_CASE("The outline of a surface that is out of date is pale", "[slice_view]") {
+  OneSlice slice;
+  setSnapshot(slice.document, icosphere(slice.world(30, 34, 32), 20, 0.7));
+  const auto isOutline = [](const QColor& c) { return c.red() > 200 && c.blue() < 90 && c.green() > 130; };
+  const QImage current = slice.view.picture();
+  CHECK(countPixels(current, isOutline) > 100);
+  setOutOfDate(slice.document, true);
+  const QImage old = slice.view.picture();
+  CHECK(countPixels(old, isOutline) == 0);
+  setOutOfDate(slice.document, false);
+  CHECK(largestDifference(slice.view.picture(), current) <= 1);
+}
+
 TEST_CASE("Where the image shows no edge the outline says so, in the colouring by support alone",
           "[slice_view]") {
   OneSlice slice;

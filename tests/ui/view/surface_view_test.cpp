@@ -39,6 +39,20 @@ TEST_CASE("The mesh is drawn, lit from the side of the camera", "[surface_view]"
   CHECK(countPixels(image, bright) > 0.6 * countPixels(image, isWarm));
 }
 
+TEST_CASE("A surface that is out of date is pale, in any colouring", "[surface_view]") {
+  Surface surface;
+  if (!surface.ready()) return;
+  surface.setSphere();
+  const QRect middle(170, 120, 60, 60);
+  REQUIRE(countPixels(surface.picture(), middle, isWarm) > 2000);
+  setOutOfDate(surface.document, true);
+  CHECK(countPixels(surface.picture(), middle, isWarm) == 0);
+  surface.state.setMeshColouring(MeshColouring::state);
+  CHECK(countPixels(surface.picture(), middle, isWarm) == 0);
+  setOutOfDate(surface.document, false);
+  CHECK(countPixels(surface.picture(), middle, isWarm) > 2000);
+}
+
 TEST_CASE("Seen from the front the patient's left is on the right and superior is up", "[surface_view]") {
   Surface surface;
   if (!surface.ready()) return;

@@ -83,6 +83,7 @@ class TimeWindowTest : public QObject {
   void theHistogramIsOfTheVolumeThatWasOpenedLast();
   void aClickInThePlotGoesToTheFrame();
   void aPartOfTheFramesIsNotExported();
+  void whatWasCarriedFromAnEarlierStateIsToldToBeSo();
   void aFrameIsCorrectedAndTheRestIsCarriedAgain();
   void oneButtonTellsTheSensitivity();
   void growingHereAsksWhereAnotherObjectLosesItsSurface();
@@ -201,6 +202,27 @@ void TimeWindowTest::aPartOfTheFramesIsNotExported() {
   disconnect(cancelling);
   QVERIFY(carry(*window));
   QCOMPARE(canExport(), QList<bool>(4, true));
+}
+
+void TimeWindowTest::whatWasCarriedFromAnEarlierStateIsToldToBeSo() {
+  auto window = grownWindow(sample_);
+  QVERIFY(window && carry(*window));
+  ui::Document& document = window->document();
+  window->commands()[Command::stepGrow]->trigger();
+  document.time().show(3);
+  QVERIFY(shows(*window, 3));
+  const QString bar = "What is wrong with the shown frame", said = "carried from an earlier state of frame 0";
+  QVERIFY(!shownText(*window, "Certificate").contains(said));
+  QVERIFY(shownText(*window, "Volume").contains("ml"));  // ml
+  document.time().show(0);
+  QVERIFY(shows(*window, 0));
+  document.goTo(document.lastIteration() - 1);
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == document.lastIteration() - 1; }, kPatience));
+  document.time().show(3);
+  QVERIFY(shows(*window, 3));
+  QVERIFY(shownText(*window, "Certificate").contains(said));
+  QVERIFY(!shownText(*window, "Volume").contains("ml"));
+  QVERIFY(shownLabel(*window, bar)->toolTip().contains(said));  // the text itself may be elided
 }
 
 void TimeWindowTest::aFrameIsCorrectedAndTheRestIsCarriedAgain() {

@@ -16,6 +16,7 @@
 #include "ui/model/finding_text.h"
 #include "ui/window/commands.h"
 #include "ui/window/grow/topology_section.h"
+#include "ui/window/time/time_bar.h"
 #include "ui/window/timeline/event_inspector.h"
 #include "ui/window/widgets/action_button.h"
 #include "ui/window/widgets/numbers.h"
@@ -256,7 +257,7 @@ void GrowPanel::showNumbers() {
   if (!snapshot) return;
   const Certificate& c = snapshot->certificate;
   showCertificate();
-  if (c.faces == 0) {  // the surface shrank away
+  if (c.faces == 0 || document_.isShownOutOfDate()) {  // it shrank away, or is not what there is now
     for (QLabel* field : {components_, genus_, euler_, vertices_, area_, volume_}) field->setText(kNone);
     return;
   }
@@ -271,14 +272,15 @@ void GrowPanel::showNumbers() {
 void GrowPanel::showCertificate() {
   const Certificate& c = document_.snapshot()->certificate;
   const bool empty = c.faces == 0;  // a surface that shrank away: nothing to certify, and nothing wrong
-  const bool passes = c.boundsBody();
-  badge_->setText(empty    ? tr("Nothing is left of the surface")
+  const bool passes = c.boundsBody(), isOld = document_.isShownOutOfDate();
+  badge_->setText(isOld    ? outOfDateText(document_)
+                  : empty  ? tr("Nothing is left of the surface")
                   : passes ? tr("✓ Closed, manifold, free of self-intersections")
                            : tr("✗ %1").arg(faultsOf(c)));
   QPalette palette = badge_->palette();
-  palette.setColor(QPalette::Window, empty    ? QColor(0x6B, 0x6B, 0x6B)
-                                     : passes ? QColor(0x2E, 0x7D, 0x4F)
-                                              : QColor(0xB0, 0x3A, 0x2E));
+  palette.setColor(QPalette::Window, isOld || empty ? QColor(0x6B, 0x6B, 0x6B)
+                                     : passes       ? QColor(0x2E, 0x7D, 0x4F)
+                                                    : QColor(0xB0, 0x3A, 0x2E));
   palette.setColor(QPalette::WindowText, Qt::white);
   badge_->setPalette(palette);
 }

@@ -35,6 +35,11 @@ QString frameText(const Document& document, int frame) {
   return when ? TimeBar::tr("%1, %2 ms").arg(text, number(*when)) : text;
 }
 
+QString outOfDateText(const Document& document) {
+  return TimeBar::tr("The surface here was carried from an earlier state of frame %1: carry it again.")
+      .arg(document.time().grownFrame());
+}
+
 TimeBar::TimeBar(Document& document, const Commands& commands, QWidget* parent)
     : QWidget(parent),
       document_(document),
@@ -84,6 +89,7 @@ void TimeBar::showMarks() {
   for (int f = 0; f < time.frameCount(); ++f) marks.push_back(markOf(time, f));
   slider_->setMarks(std::move(marks));
   QString why = time.error();
+  if (why.isEmpty() && document_.isShownOutOfDate()) why = outOfDateText(document_);
   if (const FrameResult* result = time.resultOf(time.shownFrame()); why.isEmpty() && result)
     for (const ToldFault& f : result->faults)
       why += (why.isEmpty() ? QString() : QStringLiteral("; ")) + findingText(f.finding);

@@ -29,5 +29,7 @@ class TimeBar : public QWidget {
 
 //! "frame 7 of 0–19, 350 ms"
 QString frameText(const Document& document, int frame);
+//! That the shown surface is out of date, as a sentence. Precondition: it is.
+QString outOfDateText(const Document& document);
 
 }  // namespace handlebody::ui
