@@ -298,6 +298,14 @@ class Document : public QObject {
   bool isCarriedCurrent() const;
   //! The shown surface was carried to its frame, but not so, or not as is asked for now.
   bool isShownOutOfDate() const;
+  // What the shown surface of the active object was made with: in the frame that is changed what is edited.
+  //! In a frame that it was carried to those that were walls there; where there is no surface those of the
+  //! grown frame, with which it would be carried.
+  const WallList& shownWalls() const;
+  //! Pins name an iteration of one frame's growth: a carried surface has none.
+  const std::vector<Pin>& shownPins() const;
+  //! Clicks belong to the frame that is changed: in any other one there are none.
+  const std::vector<Seed>& shownSeeds() const;
   //! The shown frame, to which the surface was carried, becomes the one that is changed, with its own clicks,
   //! walls and edits; it is grown again from the surface of the frame beside it. Nothing where
   //! correctionFault() says why.

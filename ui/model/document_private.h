@@ -122,6 +122,8 @@ class Document::Private : public ObjectHost {
   std::shared_ptr<const MeshSnapshot> shownOf(const ObjectWork& object) const;
   //! The grown frame is shown while another one is corrected.
   bool showsHome() const { return corrected.isOpen() && time.showsGrownFrame(); }
+  //! Whose growth is shown; null: the frame is one that the surface is carried to.
+  const ObjectWork* grownHere() const;
   //! What was carried to the shown frame, of the object that there is; null: nothing.
   const CarriedFrame* carriedHere() const;
   void carryAgain(const std::optional<int>& again = {});

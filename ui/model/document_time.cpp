@@ -147,6 +147,11 @@ std::shared_ptr<const MeshSnapshot> Document::Private::shownOf(const ObjectWork&
   return carried ? carried->snapshot : nullptr;
 }
 
+const ObjectWork* Document::Private::grownHere() const {
+  if (showsHome()) return corrected.home().get();
+  return time.showsWorkFrame() ? objects.active().get() : nullptr;
+}
+
 const CarriedFrame* Document::Private::carriedHere() const {
   const bool isOfThis = objects.size() == 1 && carriedObject.lock() == base();
   return isOfThis ? time.carriedTo(time.shownFrame()) : nullptr;
@@ -192,9 +197,26 @@ bool Document::isCarriedCurrent() const {
 }
 
 bool Document::isShownOutOfDate() const {
-  if (d_->time.showsWorkFrame() || d_->showsHome()) return false;
-  const CarriedFrame* here = d_->carriedHere();
+  const CarriedFrame* here = d_->grownHere() ? nullptr : d_->carriedHere();
   return here && here->snapshot && !isCarriedCurrent();
+}
+
+const WallList& Document::shownWalls() const {
+  const ObjectWork* grown = d_->grownHere();
+  const CarriedFrame* carried = grown ? nullptr : d_->carriedHere();
+  if (carried && carried->snapshot) return carried->result.under.walls;
+  return (grown ? grown : d_->base().get())->edits().constraints.walls;
+}
+
+const std::vector<Pin>& Document::shownPins() const {
+  static const std::vector<Pin> none;
+  const ObjectWork* grown = d_->grownHere();
+  return grown ? grown->edits().constraints.pins : none;
+}
+
+const std::vector<Seed>& Document::shownSeeds() const {
+  static const std::vector<Seed> none;
+  return d_->time.showsWorkFrame() ? seeds() : none;
 }
 
 void Document::carryOverTime() {

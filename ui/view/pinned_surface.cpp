@@ -20,7 +20,7 @@ std::vector<bool> heldOf(const MeshSnapshot& surface) {
 }  // namespace
 
 std::vector<Pin> pinsWithStroke(const Document& document, const Brush& brush) {
-  std::vector<Pin> pins = document.constraints().pins;
+  std::vector<Pin> pins = document.shownPins();
   const auto shown = document.snapshot();
   if (!shown || brush.stroke().empty()) return pins;
   if (brush.mode() == Brush::Mode::pin) {

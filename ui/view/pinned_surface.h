@@ -12,8 +12,8 @@ class Brush;
 class Document;
 struct MeshSnapshot;
 
-//! The active object's pins as they would be with the stroke that is being drawn. Of those that a stroke adds
-//! some may hold nothing of their own.
+//! The pins of the shown surface as they would be with the stroke that is being drawn. Of those that a stroke
+//! adds some may hold nothing of their own.
 std::vector<Pin> pinsWithStroke(const Document& document, const Brush& brush);
 
 //! Of one surface at a time; worked out only where it, or the pins, have changed, and a stroke adds to it.

@@ -58,20 +58,20 @@ void SceneContent::updateMesh(SurfaceScene& scene) {
 void SceneContent::updatePins(SurfaceScene& scene) {
   const auto mesh = document_.snapshot();
   const bool shows = mesh && isActiveVisible(document_) && state_.showsConstraints();
-  const auto& parts = pinned_.of(mesh, shows ? document_.constraints().pins : std::vector<Pin>{});
+  const auto& parts = pinned_.of(mesh, shows ? document_.shownPins() : std::vector<Pin>{});
   hasPins_ = !parts.empty();
   scene.setPinned(hasPins_ ? mesh->mesh : TriangleSoup{}, parts);
 }
 
 void SceneContent::updateSeeds(SurfaceScene& scene) const {
-  std::vector<Seed> seeds = document_.seeds();
+  std::vector<Seed> seeds = document_.shownSeeds();
   for (std::size_t i = 0; i < seeds.size(); ++i) seeds[i].radius = document_.shownRadius(static_cast<int>(i));
   scene.setSeeds(seeds);
 }
 
 void SceneContent::requestWalls() {
   const bool any = document_.hasVolume() && isActiveVisible(document_) && state_.showsConstraints();
-  const WallList walls = any ? document_.constraints().walls : WallList{};
+  const WallList walls = any ? document_.shownWalls() : WallList{};
   if (walls_ == walls) return;
   if (walls.empty())
     wallSurfaces_.set(std::make_shared<const TriangleSoup>());

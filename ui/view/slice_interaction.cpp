@@ -52,12 +52,12 @@ std::vector<SeedCircle> SliceInteraction::circles() const {
   std::vector<double> radii;
   const double least =
       geometry_.grid().spacing.maxCoeff() / 2;  // a ball between two slices is on one of them
-  for (const Seed& seed : document_.seeds()) {
+  for (const Seed& seed : document_.shownSeeds()) {
     radii.push_back(std::max(least, document_.shownRadius(static_cast<int>(centres.size()))));
     centres.push_back(seed.centre);
   }
   std::vector<SeedCircle> circles = seedCircles(geometry_, centres, radii);
-  for (SeedCircle& circle : circles) circle.outside = document_.seeds()[circle.seed].background;
+  for (SeedCircle& circle : circles) circle.outside = document_.shownSeeds()[circle.seed].background;
   return circles;
 }
 

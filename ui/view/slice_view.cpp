@@ -264,7 +264,7 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
     painter.drawImage(QPointF(0, 0), image(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);
     if (isActiveVisible(document) && state.showsConstraints())
-      walls.paint(painter, geometry, pixelRatio, document.constraints().walls, state.brush());
+      walls.paint(painter, geometry, pixelRatio, document.shownWalls(), state.brush());
     paintCrosshair(painter);
     others.paint(painter, document, geometry);
     const Marks marks = isActiveVisible(document) ? paintOutline(painter) : Marks{};

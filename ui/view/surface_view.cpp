@@ -84,7 +84,7 @@ void SurfaceView::Private::connectDocument() {
   connect(&document, &Document::activeObjectChanged, &view, [this] {
     if (brush.isDown()) brush.giveUp();
   });
-  for (auto changed : {&Document::seedsChanged, &Document::resolvedChanged})
+  for (auto changed : {&Document::seedsChanged, &Document::resolvedChanged, &Document::objectsChanged})
     connect(&document, changed, &view, [this] { redraw(ScenePart::seeds); });
   for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})
     connect(&document, changed, &view, [this] { redraw(ScenePart::mesh); });

@@ -274,6 +274,37 @@ TEST_CASE("a carried surface that is out of date is shown, but neither measured 
   CHECK_FALSE(QFile::exists(heart.file("frame.stl")));
 }
 
+TEST_CASE("every frame shows the walls that its surface was made with, and the clicks where they are",
+          "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(carryFrom(document, heart));
+  CHECK(document.shownSeeds().size() == 1);
+  const auto wallsIn = [&](int frame) {
+    REQUIRE(showFrame(document, frame));
+    return document.shownWalls().balls.size();
+  };
+  REQUIRE(startCorrecting(document, 3));
+  REQUIRE(document.paintWalls({{heart.seed + Vec3(0, 0, 36), 10}}));
+  CHECK(wallsIn(3) == 1);
+  CHECK(document.shownSeeds() == document.seeds());
+  for (const int frame : {0, 1, 4}) {
+    CHECK(wallsIn(frame) == 0);
+    CHECK(document.shownSeeds().empty());
+    CHECK(document.shownPins().empty());
+  }
+  REQUIRE(showFrame(document, 3));
+  REQUIRE(waitFor([&] { return document.wallConflict().has_value(); }));
+  REQUIRE(runToEnd(document));
+  REQUIRE(keepCorrection(document));
+  CHECK(wallsIn(0) == 0);
+  CHECK(document.shownSeeds() == document.seeds());
+  CHECK(wallsIn(2) == 0);
+  CHECK(wallsIn(3) == 1);
+  CHECK(wallsIn(4) == 1);  // it starts from the corrected one, with its walls
+  CHECK(document.constraints().walls.empty());
+}
+
 TEST_CASE("whether a carried surface is out of date is told when it is asked for otherwise",
           "[document][time]") {
   const BeatingFile heart;

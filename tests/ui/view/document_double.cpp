@@ -22,6 +22,7 @@ struct State {
   std::vector<MeshEdit> edits;
   std::vector<ObjectInfo> others;  //!< behind the active one
   bool outOfDate = false;
+  std::optional<WallList> carriedWalls;  //!< none: the frame that is changed is shown
 };
 
 //! A document's private part is its own; the functions for tests reach its state here.
@@ -50,6 +51,17 @@ GrowthState Document::state() const { return d_->growth; }
 std::shared_ptr<const MeshSnapshot> Document::snapshot() const { return d_->snapshot; }
 
 bool Document::isShownOutOfDate() const { return d_->outOfDate; }
+const WallList& Document::shownWalls() const {
+  return d_->carriedWalls ? *d_->carriedWalls : d_->constraints.walls;
+}
+const std::vector<Pin>& Document::shownPins() const {
+  static const std::vector<Pin> none;
+  return d_->carriedWalls ? none : d_->constraints.pins;
+}
+const std::vector<Seed>& Document::shownSeeds() const {
+  static const std::vector<Seed> none;
+  return d_->carriedWalls ? none : d_->seeds;
+}
 
 int Document::objectCount() const { return 1 + static_cast<int>(d_->others.size()); }
 int Document::activeObject() const { return 0; }
@@ -144,6 +156,13 @@ void forgetSupport(Document& document) {
   auto snapshot = std::make_shared<MeshSnapshot>(*states().at(&document)->snapshot);
   snapshot->support = {};
   states().at(&document)->snapshot = snapshot;
+  Q_EMIT document.snapshotChanged();
+}
+
+void showCarried(Document& document, const WallList& walls) {
+  states().at(&document)->carriedWalls = walls;
+  Q_EMIT document.frameShown();
+  Q_EMIT document.objectsChanged();
   Q_EMIT document.snapshotChanged();
 }
 

@@ -19,6 +19,8 @@ void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector
 void forgetSupport(Document& document);
 //! As if another time point were shown.
 void setFrame(Document& document, const Volume& volume);
+//! As if a frame were shown that the surface was carried to with these walls.
+void showCarried(Document& document, const WallList& walls);
 //! As if the shown surface were out of date.
 void setOutOfDate(Document& document, bool isOutOfDate);
 //! Objects besides the active one.
