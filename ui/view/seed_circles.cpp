@@ -1,6 +1,7 @@
 #include "ui/view/seed_circles.h"
 
 #include <QLineF>
+#include <algorithm>
 #include <cmath>
 
 namespace handlebody::ui {
@@ -13,6 +14,7 @@ const QColor kSeed(0x4f, 0xc3, 0xf7), kOutsideSeed(0xff, 0x7a, 0x1a), kSelectedS
 
 SeedGrab::Part partAt(const SeedCircle& circle, const QPointF& pixel) {
   const double distance = QLineF(circle.centre, pixel).length();
+  if (circle.radius == 0) return distance <= kSeedReach ? SeedGrab::Part::centre : SeedGrab::Part::none;
   if (distance <= std::min(kSeedReach, circle.radius / 2)) return SeedGrab::Part::centre;
   if (std::abs(distance - circle.radius) <= kSeedReach) return SeedGrab::Part::rim;
   const bool inSmall = circle.radius < kSmallCircle && distance < circle.radius;
@@ -39,9 +41,18 @@ void paintCross(QPainter& painter, const SeedCircle& circle, const QPen& pen) {
   painter.drawLine(circle.centre - QPointF(half, -half), circle.centre + QPointF(half, -half));
 }
 
+//! Of a size that says nothing.
+void paintMissed(QPainter& painter, SeedCircle circle, const QColor& colour, bool selected) {
+  if (!circle.outside) return paintDot(painter, circle, colour, selected ? 4 : 3);
+  circle.radius = selected ? 7 : 5;
+  paintCross(painter, circle, QPen(kSeedShadow, 4));
+  paintCross(painter, circle, QPen(colour, 2));
+}
+
 // The cross keeps its colour when it is selected: white alone would be a seed at first sight.
 void paintCircle(QPainter& painter, const SeedCircle& circle, bool selected) {
   const QColor own = circle.outside ? kOutsideSeed : kSeed, colour = selected ? kSelectedSeed : own;
+  if (circle.radius == 0) return paintMissed(painter, circle, colour, selected);
   const double width = selected ? 2.4 : 1.6;
   paintRing(painter, circle, QPen(kSeedShadow, width + 2));
   if (circle.outside) {
@@ -57,14 +68,14 @@ void paintCircle(QPainter& painter, const SeedCircle& circle, bool selected) {
 QColor outsideColour() { return kOutsideSeed; }
 
 std::vector<SeedCircle> seedCircles(const SliceGeometry& geometry, const std::vector<Vec3>& centres,
-                                    const std::vector<double>& radii) {
+                                    const std::vector<double>& radii, double reach) {
   std::vector<SeedCircle> circles;
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const double distance = geometry.distance(centres[i]);
     const double square = radii[i] * radii[i] - distance * distance;
-    if (square <= 0) continue;
+    if (square <= 0 && std::abs(distance) > reach) continue;
     circles.push_back({static_cast<int>(i), geometry.worldToScreen(centres[i]),
-                       std::sqrt(square) / geometry.mmPerPixel(), distance});
+                       std::sqrt(std::max(0.0, square)) / geometry.mmPerPixel(), distance});
   }
   return circles;
 }

@@ -10,11 +10,11 @@
 
 namespace handlebody::ui {
 
-//! A seed's ball cut by a slice.
+//! A seed's ball cut by a slice, or beside it.
 struct SeedCircle {
   int seed = 0;          //!< index of the seed
   QPointF centre;        //!< pixels
-  double radius = 0;     //!< pixels
+  double radius = 0;     //!< pixels; 0: the slice misses the ball, which is a dot there
   double distance = 0;   //!< mm of the ball's centre from the slice
   bool outside = false;  //!< a click outside of the object
 };
@@ -22,11 +22,13 @@ struct SeedCircle {
 //! Of clicks outside of the object, here and in 3D: not to be taken for that of seeds with any kind of sight.
 QColor outsideColour();
 
-//! The balls (centre and radius in mm, one each per seed) that the slice cuts.
+//! The balls (centre and radius in mm, one each per seed) that the slice cuts, and those it misses whose
+//! centres are no farther than `reach` (mm) from it.
 std::vector<SeedCircle> seedCircles(const SliceGeometry& geometry, const std::vector<Vec3>& centres,
-                                    const std::vector<double>& radii);
+                                    const std::vector<double>& radii, double reach = 0);
 
-//! What lies under the mouse: a circle's rim, or its centre; all of a small circle counts as its centre.
+//! What lies under the mouse: a circle's rim, or its centre; all of a small circle counts as its centre, and
+//! a dot is nothing else.
 struct SeedGrab {
   enum class Part { none, centre, rim } part = Part::none;
   int seed = -1;

@@ -50,13 +50,14 @@ SliceInteraction::SliceInteraction(Document& document, ViewState& state, SliceGe
 std::vector<SeedCircle> SliceInteraction::circles() const {
   std::vector<Vec3> centres;
   std::vector<double> radii;
-  const double least =
-      geometry_.grid().spacing.maxCoeff() / 2;  // a ball between two slices is on one of them
+  // A little more than half a slice: a ball between two of them is on one at least.
+  constexpr double kAlmost = 1 + 1e-9;
+  const double reach = kAlmost * geometry_.grid().spacing[geometry_.axes().normal] / 2;
   for (const Seed& seed : document_.shownSeeds()) {
-    radii.push_back(std::max(least, document_.shownRadius(static_cast<int>(centres.size()))));
+    radii.push_back(document_.shownRadius(static_cast<int>(centres.size())));
     centres.push_back(seed.centre);
   }
-  std::vector<SeedCircle> circles = seedCircles(geometry_, centres, radii);
+  std::vector<SeedCircle> circles = seedCircles(geometry_, centres, radii, reach);
   for (SeedCircle& circle : circles) circle.outside = document_.shownSeeds()[circle.seed].background;
   return circles;
 }
