@@ -164,14 +164,12 @@ Marks SliceView::Private::paintOutline(QPainter& painter) {
 
 //! Where they lie within a slice of this one.
 void SliceView::Private::paintMarkedLoops(QPainter& painter) const {
-  const double reach = geometry.grid().spacing.maxCoeff() / 2;
-  const Vec3 normal = geometry.normal();
-  const double offset = offsetOf(geometry);
+  const double reach = geometry.grid().spacing[geometry.axes().normal] / 2;
   for (const MarkedLoop& loop : state.markedLoops()) {
     QVector<QLineF> lines;
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
       const Vec3 &from = loop.points[i], &to = loop.points[(i + 1) % loop.points.size()];
-      if (std::abs(normal.dot((from + to) / 2) - offset) <= reach)
+      if (std::abs(geometry.distance((from + to) / 2)) <= reach)
         lines.append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
     }
     paintSegments(painter, lines, loopColour(loop.kind), kLoopWidth);

@@ -1,6 +1,7 @@
-// Seeds in slices: where and how large they are drawn.
+// Seeds and loops in slices of voxels that are no cubes: where and how large they are drawn.
 
 #include "tests/ui/view/slice_support.h"
+#include "ui/view/overlay.h"
 #include "ui/view/slice_interaction.h"
 
 using namespace handlebody;
@@ -73,4 +74,24 @@ TEST_CASE("A dot is seen, and one outside of the object is a cross", "[seeds]") 
   work.document.addSeed({work.world(20, 20, 20.4), 1.5, true});
   CHECK(around(isSeed) == 0);
   CHECK(around(isOutside) > 8);
+}
+
+TEST_CASE("A marked loop is drawn in the slices that it lies in, however thick those of the volume are",
+          "[slice_view]") {
+  ThickSlices work(Plane::coronal);
+  SliceView view(Plane::coronal, work.document, work.state);
+  show(view, {kWidth, kHeight});
+  MarkedLoop loop;
+  for (const Vec3& corner : {Vec3(10, 20, 10), Vec3(30, 20, 10), Vec3(30, 20, 30), Vec3(10, 20, 30)})
+    loop.points.push_back(work.volume.grid.toWorld(corner));
+  work.state.markLoops({loop});
+  const QColor wanted = loopColour(loop.kind);
+  const auto pixelsIn = [&](int slice) {
+    work.state.setCrosshair(work.world(20, slice, 20));
+    const auto is = [&](const QColor& c) { return c.rgb() == wanted.rgb(); };
+    return countPixels(view.picture(), is);
+  };
+  CHECK(pixelsIn(20) > 100);
+  CHECK(pixelsIn(21) == 0);  // 1 mm away
+  CHECK(pixelsIn(22) == 0);
 }
