@@ -64,7 +64,8 @@ void SceneContent::updatePins(SurfaceScene& scene) {
 }
 
 void SceneContent::updateSeeds(SurfaceScene& scene) const {
-  std::vector<Seed> seeds = document_.shownSeeds();
+  std::vector<Seed> seeds;
+  if (isActiveVisible(document_)) seeds = document_.shownSeeds();
   for (std::size_t i = 0; i < seeds.size(); ++i) seeds[i].radius = document_.shownRadius(static_cast<int>(i));
   scene.setSeeds(seeds);
 }

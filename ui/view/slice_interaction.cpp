@@ -11,6 +11,7 @@
 
 #include "core/geometry/closest_points.h"
 #include "ui/model/document.h"
+#include "ui/view/other_outlines.h"
 
 namespace handlebody::ui {
 namespace {
@@ -48,6 +49,7 @@ SliceInteraction::SliceInteraction(Document& document, ViewState& state, SliceGe
       contrast_(contrastCursor()) {}
 
 std::vector<SeedCircle> SliceInteraction::circles() const {
+  if (!isActiveVisible(document_)) return {};
   std::vector<Vec3> centres;
   std::vector<double> radii;
   // A little more than half a slice: a ball between two of them is on one at least.

@@ -86,3 +86,33 @@ TEST_CASE("In 3D a carried frame has its own walls, and neither clicks nor pins"
     CHECK(countPixels(surface.picture(), isWallColour) > hidden + 100);
   }
 }
+
+TEST_CASE("Of an object that is hidden no clicks are drawn or dragged", "[slice_view][surface_view]") {
+  Surface surface;
+  const Vec3 click = surface.world(32, 32, 32);
+  surface.document.addSeed({click, 12.0});
+  const auto isSeed = [](const QColor& c) { return c.blue() > c.red() + 60 && c.green() > c.red() + 20; };
+  SECTION("in a slice") {
+    surface.state.setCrosshair(surface.world(8, 8, 32));
+    SliceView slice(Plane::axial, surface.document, surface.state);
+    show(slice, {kWidth, kHeight});
+    const QPoint at(kWidth / 2, kHeight / 2);
+    const QRect middle(at - QPoint(80, 80), at + QPoint(80, 80));
+    CHECK(countPixels(slice.picture(), middle, isSeed) > 100);
+    setVisible(surface.document, false);
+    CHECK(countPixels(slice.picture(), middle, isSeed) == 0);
+    drag(slice, Qt::LeftButton, at, at + QPoint(30, 20));
+    CHECK(surface.document.seeds().front().centre == click);
+    setVisible(surface.document, true);
+    CHECK(countPixels(slice.picture(), middle, isSeed) > 100);
+  }
+  SECTION("in 3D, where they were behind its surface") {
+    if (!surface.ready()) return;
+    const QRect middle(100, 70, 200, 160);
+    surface.setSphere();
+    CHECK(countPixels(surface.picture(), middle, isSeed) == 0);
+    setVisible(surface.document, false);
+    CHECK(countPixels(surface.picture(), middle, isSeed) == 0);
+    CHECK(countPixels(surface.picture(), middle, isWarm) == 0);
+  }
+}

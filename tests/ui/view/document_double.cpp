@@ -21,7 +21,7 @@ struct State {
   std::vector<WallBall> painted, erased, pinned, unpinned;  //!< the last stroke of each
   std::vector<MeshEdit> edits;
   std::vector<ObjectInfo> others;  //!< behind the active one
-  bool outOfDate = false;
+  bool outOfDate = false, visible = true;
   std::optional<WallList> carriedWalls;  //!< none: the frame that is changed is shown
 };
 
@@ -69,6 +69,7 @@ ObjectInfo Document::objectInfo(int index) const {
   if (index > 0) return d_->others.at(static_cast<std::size_t>(index) - 1);
   ObjectInfo info;
   info.snapshot = d_->snapshot;
+  info.visible = d_->visible;
   return info;
 }
 
@@ -169,6 +170,11 @@ void showCarried(Document& document, const WallList& walls) {
 void setOutOfDate(Document& document, bool isOutOfDate) {
   states().at(&document)->outOfDate = isOutOfDate;
   Q_EMIT document.snapshotChanged();
+}
+
+void setVisible(Document& document, bool isVisible) {
+  states().at(&document)->visible = isVisible;
+  Q_EMIT document.objectsChanged();
 }
 
 void setOthers(Document& document, const std::vector<ObjectInfo>& others) {

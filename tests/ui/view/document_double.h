@@ -23,6 +23,8 @@ void setFrame(Document& document, const Volume& volume);
 void showCarried(Document& document, const WallList& walls);
 //! As if the shown surface were out of date.
 void setOutOfDate(Document& document, bool isOutOfDate);
+//! Of the active object.
+void setVisible(Document& document, bool isVisible);
 //! Objects besides the active one.
 void setOthers(Document& document, const std::vector<ObjectInfo>& others);
 void setGrowthState(Document& document, GrowthState growth);
