@@ -31,6 +31,19 @@ int pixelsLike(const QImage& picture, const QColor& colour) {
 const QColor kViolet(0xd8, 0x5c, 0xf0);
 const Vec3 kAbove = kNeck - Vec3(0, 6, 0), kBelow = kNeck + Vec3(0, 6, 0);
 
+//! Of a channel of a pixel; the rims of texts may differ by a level from picture to picture.
+int largestDifference(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 255;
+  int largest = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+      for (const int d : {qRed(p) - qRed(q), qGreen(p) - qGreen(q), qBlue(p) - qBlue(q)})
+        largest = std::max(largest, std::abs(d));
+    }
+  return largest;
+}
+
 }  // namespace
 
 class CorrectTest : public QObject {
@@ -44,6 +57,7 @@ class CorrectTest : public QObject {
   void aStrokeOverTheSurfaceOffersTheWayBackAndGrowsOn();
   void aStrokeOverTheSeedIsNotKeptAndSaysWhy();
   void wallsAreDrawnInTheSlicesAndIn3d();
+  void aPictureOfAllViewsHasTheWallsAtOnce();
   void aWallIsPutUpAtTheCrosshairByKey();
   void whatIsHeldBackIsListedFoundAndLifted();
 };
@@ -208,6 +222,27 @@ void CorrectTest::wallsAreDrawnInTheSlicesAndIn3d() {
   map.walls.map = testing::wallMap(o.document().volume().grid, [](int i, int, int) { return i > 30; });
   o.document().setConstraints(map, "Map");
   QVERIFY(pixelsLike(o.axial().picture(), kViolet) > before + 3000);
+}
+
+void CorrectTest::aPictureOfAllViewsHasTheWallsAtOnce() {
+  Opened o;
+  QVERIFY(o.ok);
+  ui::ViewGrid& views = o.window->views();
+  o.axial().setFocus();
+  o.window->viewState().setSlicesIn3d(false);
+  const auto partOf = [&](const QImage& all, const QWidget& view) {
+    const double ratio = all.devicePixelRatio();
+    return all.copy(QRect(view.mapTo(&views, QPoint(0, 0)) * ratio, view.size() * ratio));
+  };
+  const int before = pixelsLike(partOf(views.picture(std::nullopt), views.surface()), kViolet);
+  Constraints map;
+  map.walls.map = testing::wallMap(o.document().volume().grid, [](int i, int, int) { return i > 30; });
+  o.document().setConstraints(map, "Map");
+  const QImage all = views.picture(std::nullopt);  // none of the views has been painted since
+  if (views.surface().hasOpenGl()) QVERIFY(pixelsLike(partOf(all, views.surface()), kViolet) > before + 100);
+  // As each of them alone: without the keyboard's focus and the buttons over them.
+  for (const Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal})
+    QVERIFY(largestDifference(partOf(all, views.slice(plane)), views.slice(plane).picture()) <= 2);
 }
 
 void CorrectTest::aWallIsPutUpAtTheCrosshairByKey() {

@@ -3,6 +3,7 @@
 #include <QDataStream>
 #include <QHBoxLayout>
 #include <QIODevice>
+#include <QPainter>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -107,7 +108,20 @@ void ViewGrid::resetViews() {
   surface_->resetCamera();
 }
 
-//! Also while one of them fills the grid.
+QWidget* ViewGrid::viewOf(Cell cell) const {
+  switch (cell) {
+    case Cell::axial:
+      return slices_[indexOf(Plane::axial)];
+    case Cell::coronal:
+      return slices_[indexOf(Plane::coronal)];
+    case Cell::sagittal:
+      return slices_[indexOf(Plane::sagittal)];
+    default:
+      return surface_;
+  }
+}
+
+//! Also while one of them fills the grid. What a view only shows when it is ready is waited for.
 QImage ViewGrid::pictureOfAll() {
   const auto arrangeFor = [this](std::optional<Cell> cell) {
     maximised_ = cell;
@@ -116,7 +130,10 @@ QImage ViewGrid::pictureOfAll() {
   };
   const std::optional<Cell> before = maximised_;
   if (before) arrangeFor(std::nullopt);
-  const QImage image = grab().toImage();
+  QImage image = grab().toImage();  // lays the views out; of it is kept what lies between them
+  QPainter painter(&image);
+  for (Cell cell : kCells) painter.drawImage(viewOf(cell)->mapTo(this, QPoint(0, 0)), picture(cell));
+  painter.end();
   if (before) arrangeFor(before);
   return image;
 }

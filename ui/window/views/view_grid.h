@@ -53,6 +53,7 @@ class ViewGrid : public QWidget {
   void addSlice(Cell cell, Plane plane, Document& document, ViewState& state);
   void addFrame(Cell cell, QWidget* view);
   void arrange();
+  QWidget* viewOf(Cell cell) const;
   QImage pictureOfAll();
 
   std::array<SliceView*, 3> slices_{};
