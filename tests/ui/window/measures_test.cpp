@@ -169,6 +169,7 @@ class MeasuresTest : public QObject {
   void aRulerIsPlacedByClicksListedAndDeleted();
   void theBrushAndTheRulerDoNotHaveTheMouseBoth();
   void aCentreLineIsPlottedAndPointedAtInTheViews();
+  void aCentreLineLeavesTheViewsWithItsSurface();
   void aReferenceIsComparedAndItsDistancesAreInColour();
   void twoPagesDoNotTakeTheColoursOfOneAnotherAway();
   void aLabelOfAReferenceIsChosenByItsName();
@@ -364,6 +365,35 @@ void MeasuresTest::aCentreLineIsPlottedAndPointedAtInTheViews() {
   QVERIFY(QTest::qWaitFor([&] { return !page.isSearching(); }, kPatience));
   QVERIFY(!page.shown() && tool.line().empty());
   QVERIFY(!shownText(*window, "The centre line").isEmpty());
+}
+
+void MeasuresTest::aCentreLineLeavesTheViewsWithItsSurface() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  ui::Document& document = window->document();
+  const ui::MeasureTool& tool = window->viewState().measure();
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  window->measures().show(MeasuresPanel::Page::centreLine);
+  auto& page = window->measures().centreLine();
+  page.find(kOneEnd, kOtherEnd);
+  QVERIFY(QTest::qWaitFor([&] { return page.shown() && !page.isSearching(); }, kPatience));
+  const std::size_t points = page.shown()->line.points.size();
+  QCOMPARE(tool.line().size(), points);
+  ObjectLabel label = document.objectInfo(0).label;
+  label.name = "Bar";
+  document.setObjectLabel(0, label, "Name");
+  QCOMPARE(tool.line().size(), points);  // it is the same surface
+  auto* plot = window->measures().findChild<ui::SectionPlot*>();
+  QTest::keyClick(plot, Qt::Key_Home);
+  QVERIFY(tool.marker());
+  document.goTo(document.lastIteration() - 1);
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == document.lastIteration() - 1; }, kPatience));
+  QVERIFY(tool.line().empty() && !tool.marker());
+  QTest::keyClick(plot, Qt::Key_Right);
+  QVERIFY(!tool.marker());
+  QVERIFY(page.shown());
+  QVERIFY(shownText(*window, "The centre line").contains("an earlier surface"));
 }
 
 void MeasuresTest::aReferenceIsComparedAndItsDistancesAreInColour() {

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/model/document.h"
 #include "ui/view/view_state.h"
@@ -41,7 +42,10 @@ CentreLinePage::CentreLinePage(Document& document, ViewState& state, const Comma
   });
   connect(&document_, &Document::opened, this, &CentreLinePage::forget);
   for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})
-    connect(&document_, changed, this, &CentreLinePage::showState);
+    connect(&document_, changed, this, [this] {
+      showLine();
+      showState();
+    });
   showState();
 }
 
@@ -100,13 +104,26 @@ void CentreLinePage::showAnswer(LineAnswer answer) {
   isSearching_ = false;
   error_ = answer.error;
   shown_ = std::move(answer.line);
-  if (shown_) {
-    plot_->setLine(shown_->line);
-    std::vector<Vec3> places;
-    for (const CentreLinePoint& p : shown_->line.points) places.push_back(p.place);
-    state_.measure().setLine(places);
-  }
+  if (shown_) plot_->setLine(shown_->line);
+  showLine();
   showState();
+}
+
+//! The surface that it was made in is shown still, whatever it is called now. Precondition: there is a line.
+bool CentreLinePage::isCurrent() const {
+  const auto isIts = [&](const MeasuredSurface& s) { return s.name.toStdString() == shown_->object; };
+  const auto its = std::find_if(made_.begin(), made_.end(), isIts);
+  const std::vector<MeasuredSurface> now = shownSurfaces(document_);
+  return its != made_.end() &&
+         std::any_of(now.begin(), now.end(), [&](const MeasuredSurface& s) { return s.mesh == its->mesh; });
+}
+
+//! The plot keeps what is drawn in the views no more.
+void CentreLinePage::showLine() {
+  std::vector<Vec3> places;
+  if (shown_ && isCurrent())
+    for (const CentreLinePoint& p : shown_->line.points) places.push_back(p.place);
+  if (places != state_.measure().line()) state_.measure().setLine(places);
 }
 
 void CentreLinePage::forget() {
@@ -115,12 +132,12 @@ void CentreLinePage::forget() {
   shown_.reset();
   error_.clear();
   plot_->setLine({});
-  state_.measure().setLine({});
+  showLine();
   showState();
 }
 
 void CentreLinePage::markPoint(int index) {
-  if (!shown_ || index < 0) {
+  if (!shown_ || index < 0 || !isCurrent()) {
     state_.measure().setMarker(std::nullopt);
   } else {
     const CentreLinePoint& p = shown_->line.points.at(static_cast<std::size_t>(index));
@@ -148,8 +165,7 @@ void CentreLinePage::showState() {
     if (const int at = plot_->pointed(); at >= 0)
       text += QLatin1Char('\n') +
               tr("Pointed at: %1").arg(sectionText(shown_->line.points.at(static_cast<std::size_t>(at))));
-    if (made_ != shownSurfaces(document_))
-      text += QLatin1Char('\n') + tr("It was made in an earlier surface.");
+    if (!isCurrent()) text += QLatin1Char('\n') + tr("It was made in an earlier surface.");
   }
   text_->setText(text);
   for (QPushButton* button : {csv_, json_}) button->setEnabled(shown_.has_value());

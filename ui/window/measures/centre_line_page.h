@@ -37,6 +37,8 @@ class CentreLinePage : public QWidget {
   void buildTools(const Commands& commands);
   void showAnswer(LineAnswer answer);
   void showState();
+  bool isCurrent() const;
+  void showLine();
   void markPoint(int index);
   void forget();
   std::string json() const;
