@@ -45,11 +45,16 @@ void SliceGeometry::resize(const QSizeF& size) {
   if (fitted_) fit();
 }
 
-void SliceGeometry::fit() {
+//! mm per pixel
+double SliceGeometry::fittedScale() const {
   const double width = sizeOf(grid_, axes_.across) * grid_.spacing[axes_.across];
   const double height = sizeOf(grid_, axes_.down) * grid_.spacing[axes_.down];
-  mmPerPixel_ = kRoomAround * std::max({width / std::max(1.0, size_.width()),
-                                        height / std::max(1.0, size_.height()), 1e-9});
+  return kRoomAround *
+         std::max({width / std::max(1.0, size_.width()), height / std::max(1.0, size_.height()), 1e-9});
+}
+
+void SliceGeometry::fit() {
+  mmPerPixel_ = fittedScale();
   for (int a = 0; a < 3; ++a) centre_[a] = (sizeOf(grid_, a) - 1) / 2;
   centre_[axes_.normal] = slice_;
   fitted_ = true;
@@ -58,7 +63,9 @@ void SliceGeometry::fit() {
 void SliceGeometry::zoom(double factor, const QPointF& fixed) {
   const double voxel = std::min(grid_.spacing[axes_.across], grid_.spacing[axes_.down]);
   const Vec3 before = toIndex(fixed);
-  mmPerPixel_ = std::clamp(mmPerPixel_ / factor, kNearest * voxel, kFarthest * voxel);
+  const double fitted = fittedScale();
+  mmPerPixel_ = std::clamp(mmPerPixel_ / factor, std::min(kNearest * voxel, fitted),
+                           std::max(kFarthest * voxel, fitted));
   fitted_ = false;
   centre_ += before - toIndex(fixed);
 }
@@ -102,8 +109,8 @@ SliceGeometry wholeSlice(const Grid& grid, Plane plane, double longest) {
   const QSizeF size(std::max(1.0, std::round(perMm * width)), std::max(1.0, std::round(perMm * height)));
   geometry.resize(size);
   // The larger side decides; rounding leaves at most half a pixel of the other one out.
-  const double mmPerPixel = std::min(width / size.width(), height / size.height());
-  geometry.zoom(geometry.mmPerPixel() / mmPerPixel, {size.width() / 2, size.height() / 2});
+  geometry.mmPerPixel_ = std::min(width / size.width(), height / size.height());
+  geometry.fitted_ = false;
   return geometry;
 }
 

@@ -34,7 +34,8 @@ class SliceGeometry {
   //! The whole slice, centred.
   void fit();
   bool isFitted() const { return fitted_; }
-  //! Larger by `factor` with the place under `fixed` kept there; within reasonable limits.
+  //! Larger by `factor` with the place under `fixed` kept there; within reasonable limits, which the whole
+  //! slice is never beyond.
   void zoom(double factor, const QPointF& fixed);
   void pan(const QPointF& pixels);
 
@@ -52,6 +53,9 @@ class SliceGeometry {
   Vec3 clamped(const Vec3& index) const;
 
  private:
+  friend SliceGeometry wholeSlice(const Grid& grid, Plane plane, double longest);
+  double fittedScale() const;
+
   Grid grid_;
   Plane plane_ = Plane::axial;
   SliceAxes axes_;

@@ -355,8 +355,35 @@ TEST_CASE("In a volume that is tilted a little a slice is where the crosshair is
   }
 }
 
+namespace {
+
+//! 100 × 100 × 500 mm of voxels that are 50 times as long as they are wide.
+Grid longVoxels() {
+  Grid grid;
+  grid.size = {1000, 1000, 100};
+  grid.spacing = Vec3(0.1, 0.1, 5);
+  return grid;
+}
+
+}  // namespace
+
+TEST_CASE("A slice that is larger than any limit of the zoom is zoomed from where it is whole", "[slice]") {
+  SliceGeometry geometry(longVoxels(), Plane::coronal, {30, 20});
+  const double whole = geometry.mmPerPixel();
+  geometry.zoom(1.1, {15, 10});
+  CHECK(geometry.mmPerPixel() == Approx(whole / 1.1));
+  geometry.zoom(1e-6, {15, 10});
+  CHECK(geometry.mmPerPixel() == Approx(whole));
+  Grid few;
+  few.size = {3, 3, 3};
+  SliceGeometry small(few, Plane::axial, {3000, 2000});
+  const double large = small.mmPerPixel();
+  small.zoom(0.9, {1500, 1000});
+  CHECK(small.mmPerPixel() == Approx(large / 0.9));
+}
+
 TEST_CASE("The texture of a slice covers its voxels and nothing else, to a pixel", "[slice]") {
-  const Grid grid = awkwardGrid();
+  const Grid grid = GENERATE(awkwardGrid(), longVoxels());
   for (Plane plane : kPlanes) {
     const SliceGeometry whole = wholeSlice(grid, plane, 25);
     CHECK(std::max(whole.size().width(), whole.size().height()) == 25);
