@@ -74,6 +74,9 @@ void forEachLine(QImage& image, const Layout& layout, F&& paint) {
     paint(y - layout.rows.begin, reinterpret_cast<std::uint32_t*>(image.scanLine(y)) + layout.columns.begin);
 }
 
+//! What is no number has the first colour.
+std::size_t entryOf(float value) { return value > 0 ? static_cast<std::size_t>(std::min(value, 255.0F)) : 0; }
+
 void paintIntensities(QImage& image, const Layout& layout, const std::vector<float>& plane, int width,
                       const SliceColours& colours) {
   const ColourTable& table = colourTable(colours.map);
@@ -84,8 +87,8 @@ void paintIntensities(QImage& image, const Layout& layout, const std::vector<flo
   forEachLine(image, layout, [&](int line, std::uint32_t* out) {
     blendRows(plane.data(), width, layout.rows, line, layout.from, layout.to, blended.data());
     for (int x = 0; x < pixels; ++x) {
-      const float entry = (blendColumns(layout.columns, x, blended.data()) - low) * scale;
-      out[x] = table[static_cast<std::size_t>(std::clamp(entry, 0.0F, 255.0F))];
+      const float intensity = blendColumns(layout.columns, x, blended.data());
+      out[x] = table[entryOf((intensity - low) * scale)];
     }
   });
 }

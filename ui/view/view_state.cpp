@@ -1,8 +1,18 @@
 #include "ui/view/view_state.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "ui/view/colour_map.h"
 
 namespace handlebody::ui {
+
+namespace {
+
+// Differences of intensities and their shares of a window stay far from the ends of single precision, 1e±38.
+constexpr double kLeastWindow = 1e-30, kLargestIntensity = 1e30;
+
+}  // namespace
 
 template <typename T>
 void ViewState::change(T& member, const T& value) {
@@ -18,7 +28,10 @@ void ViewState::setCrosshair(const Vec3& world) {
 }
 
 void ViewState::setWindowLevel(double window, double level) {
-  if (!(window > 0) || (window == window_ && level == level_)) return;
+  if (!std::isfinite(window) || !std::isfinite(level) || !(window > 0)) return;
+  window = std::clamp(window, kLeastWindow, kLargestIntensity);
+  level = std::clamp(level, -kLargestIntensity, kLargestIntensity);
+  if (window == window_ && level == level_) return;
   window_ = window;
   level_ = level;
   Q_EMIT changed();

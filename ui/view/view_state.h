@@ -56,7 +56,8 @@ class ViewState : public QObject {
   void setCrosshair(const Vec3& world);
   double window() const { return window_; }  //!< intensity units, > 0
   double level() const { return level_; }
-  //! A window that is not above zero is ignored.
+  //! Ignored where one is not finite, or the window not above zero; else brought within what a picture can be
+  //! made with in single precision.
   void setWindowLevel(double window, double level);
   //! From the 0.1 to the 99.9 percentile of the volume; takes milliseconds for a volume of any size.
   void setAutomaticWindow(const Volume& volume);

@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <QLineF>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "tests/support/catch.h"
@@ -160,6 +162,48 @@ TEST_CASE("Intensities below the window are black, above it white", "[slice_imag
   const QImage& image = picture.render(volume, geometry, 1, {{100, 0}, ColourMap::grey, {}});
   CHECK(gray(image, 30, 80) == 0);
   CHECK(gray(image, 130, 80) == 255);
+}
+
+TEST_CASE("Intensities and windows that are no numbers are black and do no harm", "[slice_image]") {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const Grid grid = handlebody::testing::cubicGrid(16);
+  const Volume volume =
+      handlebody::testing::volumeByIndex(grid, [](int i, int, int) { return i < 8 ? kNan : 1000; });
+  const SliceGeometry geometry(grid, Plane::axial, {160, 160});
+  const auto render = [&](const WindowLevel& window) {
+    return SliceImage().render(volume, geometry, 1, {window, ColourMap::grey, {}}).copy();
+  };
+  const QImage halfKnown = render({100, 0});
+  CHECK(gray(halfKnown, 30, 80) == 0);
+  CHECK(gray(halfKnown, 130, 80) == 255);
+  for (const WindowLevel& window : {WindowLevel{kNan, 0}, WindowLevel{100, kNan}})
+    CHECK(gray(render(window), 130, 80) == 0);
+}
+
+TEST_CASE("A window that is no number is refused, and one that no picture can have is brought in bounds",
+          "[window_level]") {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                   kInfinity = std::numeric_limits<double>::infinity();
+  ViewState state;
+  state.setWindowLevel(100, 50);
+  for (const auto& [window, level] : {std::pair(kNan, 0.0),
+                                      {kInfinity, 0.0},
+                                      {100.0, kNan},
+                                      {100.0, -kInfinity},
+                                      {0.0, 1.0},
+                                      {-1.0, 1.0}}) {
+    state.setWindowLevel(window, level);
+    CHECK(state.window() == 100);
+    CHECK(state.level() == 50);
+  }
+  const auto isSound = [&] {
+    return std::isfinite(256 / static_cast<float>(state.window())) &&
+           std::isfinite(static_cast<float>(state.level() - state.window() / 2));
+  };
+  state.setWindowLevel(1e300, -1e300);
+  CHECK(isSound());
+  state.setWindowLevel(1e-300, 1e300);
+  CHECK(isSound());
 }
 
 TEST_CASE("Weights of a resampling add up to one and stay within the samples", "[slice_image]") {
