@@ -68,6 +68,7 @@ struct SliceView::Private {
   const QImage& image(double pixelRatio);
   std::shared_ptr<const HeldVoxels::Mask> heldVoxels();
   const std::vector<std::array<Vec3, 2>>& outline();
+  void forgetVolume();
   void paint(QPainter& painter, double pixelRatio, bool focused);
   Marks paintOutline(QPainter& painter);
   void paintBrushWork(QPainter& painter) const;
@@ -138,6 +139,18 @@ const std::vector<std::array<Vec3, 2>>& SliceView::Private::outline() {
   cutMesh = mesh;
   cutSlice = geometry.slice();
   return section;
+}
+
+//! At once: a view that is not seen paints nothing that would take the place of what it holds.
+void SliceView::Private::forgetVolume() {
+  slice = {};
+  shownKey = {};
+  inObject.forget();
+  cutMesh.reset();
+  cutSlice = -1;
+  others = {};
+  walls = {};
+  pinned = {};
 }
 
 Marks SliceView::Private::paintOutline(QPainter& painter) {
@@ -345,8 +358,7 @@ QSize SliceView::sizeHint() const { return {480, 360}; }
 
 void SliceView::startVolume() {
   d_->interaction.cancel();
-  d_->slice = {};  // the volume before is let go
-  d_->shownKey = {};
+  d_->forgetVolume();
   d_->geometry = d_->document.hasVolume() ? SliceGeometry(d_->document.volume().grid, d_->plane, size())
                                           : SliceGeometry();
   d_->geometry.resize(size());

@@ -1,4 +1,4 @@
-// What has hold of an object lets it go when another one becomes active.
+// What has hold of an object, or of what is open, lets it go when another one becomes active, or is opened.
 
 #include "tests/ui/view/slice_support.h"
 
@@ -45,4 +45,29 @@ TEST_CASE("A stroke of the brush is given up when another object becomes active"
   Q_EMIT slice.document.activeObjectChanged();
   QTest::mouseRelease(&slice.view, Qt::LeftButton, {}, kPlace);
   CHECK(painted(slice.document).empty());
+}
+
+TEST_CASE("A slice that is not seen lets go of what was open before", "[slice_view]") {
+  OneSlice slice;
+  auto object = std::make_shared<const ObjectImage>(std::make_shared<SmoothedVolume>(slice.volume, 1.0),
+                                                    IntensityRange{150, 1e9}, 1.0);
+  setSnapshot(slice.document, icosphere(slice.world(32, 32, 32), 10, 2));
+  ObjectInfo beside;
+  beside.snapshot = std::make_shared<MeshSnapshot>();
+  setOthers(slice.document, {beside});
+  slice.state.setTint(Tint{object, {}});
+  (void)slice.view.picture();
+  slice.view.hide();
+  const std::weak_ptr<const void> tinted = object, voxels = slice.volume.voxels,
+                                  outlined = slice.document.snapshot(), other = beside.snapshot;
+  object.reset();
+  beside.snapshot.reset();
+  slice.volume =
+      handlebody::testing::volumeByIndex(handlebody::testing::cubicGrid(8), [](int, int, int) { return 7; });
+  setVolume(slice.document, slice.volume);
+  slice.state.startWith(slice.volume);
+  CHECK(tinted.expired());
+  CHECK(voxels.expired());
+  CHECK(outlined.expired());
+  CHECK(other.expired());
 }
