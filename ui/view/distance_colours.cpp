@@ -2,11 +2,11 @@
 
 #include <QCoreApplication>
 #include <QLinearGradient>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/view/overlay.h"
+#include "ui/view/significant_digits.h"
 
 namespace handlebody::ui {
 
@@ -28,7 +28,7 @@ double roundedUp(double value) {
 }
 
 QString millimetresOf(double value, bool isEnd) {
-  const QString text = QLocale().toString(value, 'g', 3);
+  const QString text = significant(value, 3);
   return (isEnd ? QCoreApplication::translate("SurfaceView", "%1 mm or more")
                 : QCoreApplication::translate("SurfaceView", "%1 mm"))
       .arg(text);

@@ -20,6 +20,7 @@
 #include "ui/view/other_outlines.h"
 #include "ui/view/overlay.h"
 #include "ui/view/pinned_surface.h"
+#include "ui/view/significant_digits.h"
 #include "ui/view/slice_image.h"
 #include "ui/view/slice_interaction.h"
 #include "ui/view/slice_measuring.h"
@@ -228,7 +229,7 @@ void SliceView::Private::paintTexts(QPainter& painter) const {
   QLocale plain;
   plain.setNumberOptions(QLocale::OmitGroupSeparator);
   const QString window =
-      tr("W %1  L %2").arg(plain.toString(state.window(), 'g', 4), plain.toString(state.level(), 'g', 4));
+      tr("W %1  L %2").arg(significant(state.window(), 4, plain), significant(state.level(), 4, plain));
   paintText(painter, {kOverlayMargin, height - kOverlayMargin}, Qt::AlignLeft | Qt::AlignBottom, window,
             small, state.windowLevelTool() ? QColor(0xff, 0xd5, 0x4f) : QColor(0xb8, 0xbf, 0xc7));
 }
