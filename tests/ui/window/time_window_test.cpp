@@ -208,7 +208,7 @@ void TimeWindowTest::whatWasCarriedFromAnEarlierStateIsToldToBeSo() {
   auto window = grownWindow(sample_);
   QVERIFY(window && carry(*window));
   ui::Document& document = window->document();
-  window->commands()[Command::stepGrow]->trigger();
+  window->showStep(Command::stepGrow);
   document.time().show(3);
   QVERIFY(shows(*window, 3));
   const QString bar = "What is wrong with the shown frame", said = "carried from an earlier state of frame 0";
