@@ -296,7 +296,8 @@ class Document : public QObject {
   QString carryFault() const;
   //! What was carried started from the surface that is shown in the frame it is grown in.
   bool isCarriedCurrent() const;
-  //! The shown surface was carried to its frame, but not so, or not as is asked for now.
+  //! The shown surface was carried to its frame from another one than there is in the grown frame now, or not
+  //! as is asked for now.
   bool isShownOutOfDate() const;
   // What the shown surface of the active object was made with: in the frame that is changed what is edited.
   //! In a frame that it was carried to those that were walls there; where there is no surface those of the
