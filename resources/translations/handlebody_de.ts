@@ -7121,6 +7121,10 @@ oder eine Datei hier ablegen</translation>
         <source>The surface has not been carried here</source>
         <translation>Die Oberfläche wurde nicht hierher übertragen</translation>
     </message>
+    <message>
+        <source>The surface here was carried from an earlier state of frame %1: carry it again.</source>
+        <translation>Die Oberfläche hier wurde von einem früheren Stand von Bild %1 getragen: Tragen Sie sie noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::TimelinePanel</name>

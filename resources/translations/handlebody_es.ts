@@ -7121,6 +7121,10 @@ o soltar aquí un archivo</translation>
         <source>The surface has not been carried here</source>
         <translation>La superficie no se ha propagado aquí</translation>
     </message>
+    <message>
+        <source>The surface here was carried from an earlier state of frame %1: carry it again.</source>
+        <translation>La superficie de aquí se propagó desde un estado anterior del fotograma %1: propáguela de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::TimelinePanel</name>

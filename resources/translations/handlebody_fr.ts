@@ -7121,6 +7121,10 @@ ou déposer un fichier ici</translation>
         <source>The surface has not been carried here</source>
         <translation>La surface n’a pas été portée ici</translation>
     </message>
+    <message>
+        <source>The surface here was carried from an earlier state of frame %1: carry it again.</source>
+        <translation>La surface ici a été portée depuis un état antérieur de l’image %1 : portez-la de nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::TimelinePanel</name>

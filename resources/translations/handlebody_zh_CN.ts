@@ -7121,6 +7121,10 @@ or drop a file here</source>
         <source>The surface has not been carried here</source>
         <translation>表面尚未传递到这里</translation>
     </message>
+    <message>
+        <source>The surface here was carried from an earlier state of frame %1: carry it again.</source>
+        <translation>此处的表面是从帧 %1 的较早状态传递而来的：请重新传递。</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::TimelinePanel</name>
