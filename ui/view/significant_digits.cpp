@@ -7,7 +7,7 @@ namespace handlebody::ui {
 
 QString significant(double value, int digits, const QLocale& locale) {
   constexpr double kSmallest = 1e-7, kTooLarge = 1e15;  // up to there every whole number is exact
-  constexpr int kMaxDecimals = 10;                     // of the smallest, four digits
+  constexpr int kMaxDecimals = 10;                      // of the smallest, four digits
   const double size = std::abs(value);
   const bool isWrittenOut = size == 0 || (size >= kSmallest && size < kTooLarge);
   if (!isWrittenOut) return locale.toString(value, 'g', digits);
