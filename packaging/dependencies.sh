@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 
 BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libdcmtk-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev libzip-dev libexpat1-dev qt6-base-dev qt6-svg-dev qt6-l10n-tools libqt6svg6 pybind11-dev python3-dev"
-TEST_PACKAGES="catch2 clang-format doxygen libcgal-dev xvfb xauth fonts-dejavu-core fonts-droid-fallback qt6-translations-l10n python3-numpy python3-pytest python3-matplotlib python3-pydicom dcmtk dicom3tools assimp-utils gmsh tetgen slurmctld slurmd slurm-client"
+TEST_PACKAGES="catch2 clang-format doxygen libcgal-dev xvfb fonts-dejavu-core fonts-droid-fallback qt6-translations-l10n python3-numpy python3-pytest python3-matplotlib python3-pydicom dcmtk dicom3tools assimp-utils gmsh tetgen slurmctld slurmd slurm-client"
 PACKAGE_PACKAGES="file dpkg-dev fakeroot"
 COVERAGE_PACKAGES="gcovr"
 LINT_PACKAGES="clang-tidy"
@@ -63,6 +63,7 @@ install_dependencies() {
 # configure PRESET [OPTION…]: a build folder that cannot be used any more (the sources were moved) is set up anew.
 configure() {
   cmake --preset "$@" && return 0
+  grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "build/$1/CMakeCache.txt" && return 1  # not for that reason
   echo "Configuring failed; once more in an empty build folder."
   cmake --fresh --preset "$@"
 }

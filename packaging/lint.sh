@@ -41,7 +41,7 @@ tidy_sources() {
   {
     sources "${folders[@]/%//*.cpp}"
     sources "${folders[@]/%//*.h}" | while read -r header; do git ls-files -- "${header%.h}.cpp"; done
-  } | sort -u | grep -v -e '^tests/ui/' -e '^tests/fuzz/'
+  } | sort -u | sed -e '\#^tests/ui/#d' -e '\#^tests/fuzz/#d'  # grep -v fails where nothing is left
 }
 
 # A build folder of its own: clang does not read GCC's precompiled headers. Nothing is built in it.

@@ -15,11 +15,9 @@ elseif(HANDLEBODY_PYTHON)
 else()
   set(HANDLEBODY_PYTHON OFF)
 endif()
-# For libraries that become part of the module, which is a shared one. Without the second option GCC would not inline
-# across functions of a file, as somebody might put another in their place.
+# For libraries that become part of the module, or of a shared library of somebody who has installed the engine. Without
+# the second option GCC would not inline across functions of a file, as somebody might put another in their place.
 function(handlebody_for_module target)
-  if(HANDLEBODY_PYTHON)
-    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
-  endif()
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()

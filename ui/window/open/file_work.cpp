@@ -59,7 +59,10 @@ QString samplePath() {
 }
 
 // It belongs to the program: to save must not overwrite it.
-bool isSample(const QString& path) { return QFileInfo(path).canonicalFilePath() == samplePath(); }
+bool isSample(const QString& path) {
+  const QString sample = samplePath();
+  return !sample.isEmpty() && QFileInfo(path).canonicalFilePath() == sample;
+}
 
 bool isSegmentation(const std::string& path) {
   return isSlicerSegmentationPath(path) || isDicomSegmentationPath(path) || isDicomSegmentationFile(path);
