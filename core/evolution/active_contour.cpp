@@ -34,12 +34,25 @@ StopFacts ActiveContour::State::facts() const {
 //! to look at as one in order.
 void ActiveContour::State::keepOrder() {
   if (mesh.vertexSlots() < kGrowthToReorder * orderedVertices) return;
+  unordered = {mesh, active, locked.pins, orderedVertices};
   const std::vector<int> order = mortonOrder(mesh, parameters.edgeLength);
   mesh.reorder(order);
   locked.pins.reorder(order);
   chooseForbidden();
   active.reorder(order);
   orderedVertices = mesh.vertexSlots();
+}
+
+//! Of a step that has not been made: what is asked for before the next try finds the vertices as a run that
+//! was never interrupted does.
+void ActiveContour::State::takeOrderBack() {
+  if (!unordered) return;
+  mesh = std::move(unordered->mesh);
+  active = std::move(unordered->active);
+  locked.pins = std::move(unordered->pins);
+  orderedVertices = unordered->orderedVertices;
+  unordered.reset();
+  chooseForbidden();
 }
 
 void ActiveContour::State::accept(const Attempt& a, StepReport& report) {
@@ -51,9 +64,8 @@ void ActiveContour::State::accept(const Attempt& a, StepReport& report) {
   if (!report.events.empty()) topology = report.events.back().after;
 }
 
-//! For leaks. The step has been made: it is not to be cancelled any more.
+//! For leaks.
 void ActiveContour::State::watch(const Attempt& kept, StepReport& report) {
-  const CancelScope scope(nullptr);
   std::vector<Vec3> starts;
   for (const Seed& s : seedsOfSide(parameters.seeds, false)) starts.push_back(s.centre);
   const LeakAlarm::Scene scene{*object.image, walls.all().get(), starts, iteration, motion.threads};
@@ -90,11 +102,15 @@ StepReport ActiveContour::State::stepOrNothing() {
   const int iterationBefore = iteration;
   const Restraints lockedBefore = locked;
   const CollapsedComponents collapsedBefore = transaction.collapsed();
+  unordered.reset();  // of a step that something else has broken off
   try {
-    return step();
+    StepReport report = step();
+    unordered.reset();
+    return report;
   } catch (const Cancelled&) {
     iteration = iterationBefore;
     locked.takeBack(lockedBefore);
+    takeOrderBack();
     transaction.takeBack(collapsedBefore);
     throw;
   }
@@ -107,6 +123,7 @@ StepReport ActiveContour::State::step() {
   report.iteration = ++iteration;
   keepOrder();
   StepOutcome made = transaction.move(mesh, scene());
+  const CancelScope isMade(nullptr);  // it is not to be cancelled any more
   report.events = std::move(made.events);
   if (made.last.isKept()) accept(made.last, report);
   releaseWalls();
@@ -120,6 +137,7 @@ StepReport ActiveContour::State::step() {
 
 //! Nothing grows on the way to an edit of an object that was given.
 StepReport ActiveContour::State::waitingStep() {
+  const CancelScope isMade(nullptr);
   StepReport report;
   report.iteration = ++iteration;
   report.unmovedVertices = mesh.vertexCount();
@@ -131,6 +149,7 @@ StepReport ActiveContour::State::waitingStep() {
 //! All or nothing: what throws has changed nothing.
 StepReport ActiveContour::State::editStep(const MeshEdit& edit) {
   Attempt made = transaction.edit(mesh, edit, scene(), asked.constraints.topology);
+  const CancelScope isMade(nullptr);
   StepReport report;
   report.iteration = ++iteration;
   edits.setMade(edit);

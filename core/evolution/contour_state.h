@@ -26,6 +26,14 @@ inline constexpr int kFitsIntoCache = 3000;  // vertices: any order of them will
 ClickedObject objectOf(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters,
                        const std::optional<StartSurface>& start, ObjectMemory* memory);
 
+//! What putting the vertices into order changes, as it was before.
+struct BeforeOrder {
+  Mesh mesh;
+  ActiveVertices active;
+  PinnedParts pins;
+  int orderedVertices;
+};
+
 //! What a contour is between two steps. Each part says what it owns; only here is it known how they are
 //! joined.
 struct ActiveContour::State {
@@ -47,6 +55,7 @@ struct ActiveContour::State {
   TopologyNumbers topology;  // of the mesh
   int iteration = 0;
   int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
+  std::optional<BeforeOrder> unordered;  // in a step that has put them into order
   ActiveVertices active;
   Restraints locked;
   StepTransaction transaction;
@@ -88,6 +97,7 @@ struct ActiveContour::State {
   StepReport editStep(const MeshEdit& edit);
   StepReport waitingStep();
   void keepOrder();
+  void takeOrderBack();
   void accept(const Attempt& a, StepReport& report);
   void watch(const Attempt& kept, StepReport& report);
   void finish(StepReport& report);

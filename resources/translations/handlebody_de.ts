@@ -4525,6 +4525,10 @@ Mittel ± SA</translation>
         <source>Frames %1: %2</source>
         <translation>Bilder %1: %2</translation>
     </message>
+    <message>
+        <source>The surface is still grown in frame %1: frame %2 was not shown.</source>
+        <translation>Die Oberfläche wächst weiterhin in Bild %1: Bild %2 wurde nicht gezeigt.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

@@ -4525,6 +4525,10 @@ cercano (mm)</translation>
         <source>Frames %1: %2</source>
         <translation>Fotogramas %1: %2</translation>
     </message>
+    <message>
+        <source>The surface is still grown in frame %1: frame %2 was not shown.</source>
+        <translation>La superficie sigue creciendo en el fotograma %1: el fotograma %2 no se mostró.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

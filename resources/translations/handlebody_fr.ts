@@ -4525,6 +4525,10 @@ proche (mm)</translation>
         <source>Frames %1: %2</source>
         <translation>Images %1 : %2</translation>
     </message>
+    <message>
+        <source>The surface is still grown in frame %1: frame %2 was not shown.</source>
+        <translation>La surface croît toujours dans l’image %1 : l’image %2 n’a pas été affichée.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

@@ -4525,6 +4525,10 @@ mean ± SD</source>
         <source>Frames %1: %2</source>
         <translation>帧 %1：%2</translation>
     </message>
+    <message>
+        <source>The surface is still grown in frame %1: frame %2 was not shown.</source>
+        <translation>表面仍在帧 %1 中生长：帧 %2 未被显示。</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

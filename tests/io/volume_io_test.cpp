@@ -2,8 +2,10 @@
 #include <sys/wait.h>
 #include <zlib.h>
 
+#include <atomic>
 #include <limits>
 
+#include "core/cancellation.h"
 #include "core/io/formats/sha256.h"
 #include "tests/io/comma_locale.h"
 #include "tests/io/io_test_support.h"
@@ -465,4 +467,7 @@ TEST_CASE("the hash of a detached header is of the voxels, too, and that of a he
   CHECK(after.is(before.header));
   writeBytes(folder / "whole.nrrd", nrrdHeader("uint8", "2 2 2", "") + "12345678");
   CHECK(hashOfPath(folder / "whole.nrrd").header.empty());
+  const std::atomic<bool> cancelled{true};
+  const CancelScope scope(cancelled);
+  CHECK_THROWS_AS(hashOfPath(folder / "whole.nrrd"), Cancelled);
 }

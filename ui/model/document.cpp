@@ -41,6 +41,7 @@ Document::Private::Private(Document& document) : q(document) {
       Q_EMIT q.snapshotChanged();
     });
   QObject::connect(&time, &TimeSeries::requestChanged, &q, [this] { journalNow(); });
+  QObject::connect(&time, &TimeSeries::wantedChanged, &q, [this] { giveUpGrownFrame(); });
   QObject::connect(&measurements, &Measurements::changed, &q, [this] { journalNow(); });
 }
 
@@ -48,6 +49,8 @@ Document::Private::Private(Document& document) : q(document) {
 Document::Private::~Private() {
   QObject::disconnect(&undo, nullptr, &q, nullptr);
   opening.cancel();
+  openingObjects.cancel();
+  stopHashing();
 }
 
 Document::Document(QObject* parent) : QObject(parent), d_(std::make_unique<Private>(*this)) {}

@@ -2,6 +2,7 @@
 
 #include <QSignalBlocker>
 
+#include "core/cancellation.h"
 #include "ui/model/document_private.h"
 
 namespace handlebody::ui {
@@ -17,6 +18,7 @@ void Document::Private::open(const OpeningRequest& asked) {
   wasModifiedAtOpen = wasModified;
   const StopFlag flag = opening.begin();
   time.store().rest();
+  stopHashing();
   const int number = opening.number();
   Q_EMIT q.opening(path, 0);
   files.post([this, number, path, asked, stop = flag] {
@@ -136,12 +138,20 @@ void Document::Private::adoptObjects(const QString& path, const std::vector<Sess
 void Document::Private::hashInBackground() {
   hash = std::make_shared<std::string>(work->reference.sha256);
   if (!hash->empty()) return;
-  files.post([known = hash, path = work->reference.path] {
+  hashing = std::make_shared<std::atomic<bool>>(false);
+  files.post([known = hash, path = work->reference.path, stop = hashing] {
+    const CancelScope scope(*stop);
     try {
       *known = sha256OfPath(path);
+    } catch (const Cancelled&) {
     } catch (const std::exception&) {  // tried again, and told, when a session is saved
     }
   });
+}
+
+//! What comes next waits for it: a session that is saved makes it anew.
+void Document::Private::stopHashing() {
+  if (hashing) *hashing = true;
 }
 
 bool Document::isOpening() const { return d_->opening.isUnderWay(); }

@@ -93,6 +93,7 @@ class Document::Private : public ObjectHost {
   void adopt(const QString& path, OpenedWork opened);
   void adoptObjects(const QString& path, const std::vector<Session>& sessions);
   void hashInBackground();
+  void stopHashing();
 
   // --- objects ---
   ObjectWork& active() const { return *objects.active(); }
@@ -119,6 +120,7 @@ class Document::Private : public ObjectHost {
   void growInShown();
   void setGrownFrame(int frame);
   void shownFrameChanged();
+  void giveUpGrownFrame();
   std::shared_ptr<const MeshSnapshot> shownOf(const ObjectWork& object) const;
   //! The grown frame is shown while another one is corrected.
   bool showsHome() const { return corrected.isOpen() && time.showsGrownFrame(); }
@@ -201,6 +203,7 @@ class Document::Private : public ObjectHost {
   // Of the volume; read and written by jobs of the files' thread alone. Each work has one of its own, from
   // the moment at which it takes the place of what was open: jobs tell by it whether theirs is open still.
   std::shared_ptr<std::string> hash;
+  StopFlag hashing;  // of the job that makes it
   QString sessionPath;
   FileStamp sessionStamp;  // of what was opened or written there last
   QByteArray view;

@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QUndoCommand>
 #include <algorithm>
+#include <utility>
 
 #include "core/io/formats/sequence_writer.h"
 #include "core/io/report/frame_files.h"
@@ -127,6 +128,18 @@ void Document::Private::setGrownFrame(int frame) {
     shownFrameChanged();
   else
     time.show(frame);
+}
+
+//! Another frame is wanted before the one to grow in could be shown, or that cannot be: what was grown there
+//! since is not dropped when somebody looks at it later.
+void Document::Private::giveUpGrownFrame() {
+  if (growsIn < 0 || (time.wantedFrame() == growsIn && time.error().isEmpty())) return;
+  const int frame = std::exchange(growsIn, -1);
+  undo.resetClean();  // its entry says otherwise
+  updateModified();
+  Q_EMIT q.refused(tr("The surface is still grown in frame %1: frame %2 was not shown.")
+                       .arg(time.grownFrame())
+                       .arg(frame));
 }
 
 void Document::Private::shownFrameChanged() {

@@ -27,7 +27,7 @@ FrameStore::FrameStore(std::function<void(int, const QString&)> arrived)
     : arrived_(std::move(arrived)), bound_(kShareOfMemory * physicalMemory()) {}
 
 void FrameStore::stop() {
-  *cancelled_ = true;
+  stop_->all();
   thread_.reset();
 }
 
@@ -61,16 +61,18 @@ std::optional<Volume> FrameStore::find(int frame) {
 }
 
 void FrameStore::want(int frame) {
-  *cancelled_ = true;
-  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  stop_->all();
+  stop_ = std::make_shared<Stop>();
   if (!thread_) thread_ = std::make_unique<Background>();
-  thread_->postInstead([this, frame, stop = cancelled_] { decodeAhead(frame, *stop); });
+  thread_->postInstead([this, frame, stop = stop_] { decodeAhead(frame, *stop); });
 }
 
-void FrameStore::decodeAhead(int frame, const std::atomic<bool>& cancelled) {
-  const CancelScope scope(cancelled);
+void FrameStore::decodeAhead(int frame, const Stop& stop) {
   const Source from = source();
-  for (int i = 0; i < frames_ && !cancelled; ++i) {
+  for (int i = 0; i < frames_; ++i) {
+    const std::atomic<bool>& cancelled = i == 0 ? stop.wanted : stop.ahead;
+    const CancelScope scope(cancelled);
+    if (cancelled) return;
     const int now = (frame + i) % frames_;
     if (i > 0 && !hasRoom()) return;
     {

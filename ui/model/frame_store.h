@@ -39,7 +39,7 @@ class FrameStore {
   std::shared_ptr<const DicomOrigin> origin(int frame) const;
 
   //! Decodes no frames ahead until one is wanted again.
-  void rest() { *cancelled_ = true; }
+  void rest() { stop_->ahead = true; }
 
   //! Bytes of voxels that are kept at most, but at least the two frames used last. At first a quarter of the
   //! machine's memory.
@@ -52,6 +52,11 @@ class FrameStore {
     Volume volume;
   };
   void stop();
+  //! Of the frame that is wanted, and of those after it.
+  struct Stop {
+    std::atomic<bool> wanted{false}, ahead{false};
+    void all() { wanted = ahead = true; }
+  };
   //! What the frames are of.
   struct Source {
     std::string path{};
@@ -60,7 +65,7 @@ class FrameStore {
   };
   Source source() const;
   static LoadedVolume decode(Source source, int frame);
-  void decodeAhead(int frame, const std::atomic<bool>& cancelled);
+  void decodeAhead(int frame, const Stop& stop);
   //! Not if another volume is open by now.
   void keep(const Source& source, int frame, const LoadedVolume& loaded);
   std::optional<Volume> find(int frame);
@@ -73,7 +78,7 @@ class FrameStore {
   Source source_;
   int frames_ = 0;
   double bound_;
-  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  std::shared_ptr<Stop> stop_ = std::make_shared<Stop>();
   std::unique_ptr<Background> thread_;  // last, and from the first frame that is wanted on
 };
 

@@ -15,6 +15,7 @@ GrowthWorker::GrowthWorker(std::function<void()> notify)
     : notify_(std::move(notify)), thread_([this](const std::stop_token& stop) { loop(stop); }) {}
 GrowthWorker::~GrowthWorker() {
   thread_.request_stop();
+  const std::lock_guard lock(mutex_);  // next() sets it as well
   endsStep_ = true;
 }
 
@@ -212,7 +213,10 @@ void GrowthWorker::goOn(const Request& request, const ActiveContour* prepared, M
   mode_ = Mode::idle;
   replayLeft_ = false;
   if (!history_) return;
-  change(request, prepared);
+  {
+    const CancelScope scope(endsStep_);  // other clicks may take seconds
+    change(request, prepared);
+  }
   if (mode == Mode::toEvent && goToRecordedEvent()) return;
   if (history_->stopReason() == StopReason::running) mode_ = mode;
 }
@@ -248,13 +252,11 @@ bool GrowthWorker::goToRecordedEvent() {
 }
 
 void GrowthWorker::stepOnce() {
+  const CancelScope scope(endsStep_);
   if (mode_ == Mode::replay && !replayChange()) return;
   const int last = history_->lastIteration();
   const auto start = std::chrono::steady_clock::now();
-  {
-    const CancelScope scope(endsStep_);
-    history_->advance();
-  }
+  history_->advance();
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   const bool isNew = history_->lastIteration() > last;
   if (isNew) seconds_ += spent.count();

@@ -157,7 +157,9 @@ void DecoderProcess::refuseOn(FindingKind whole, FindingKind part, Finding::Valu
 void DecoderProcess::explainDeath() {
   int status = 0;
   // It has closed its end; give it a moment to end by itself, for the reason.
-  for (int i = 0; i < 100 && ::waitpid(child_, &status, WNOHANG) == 0; ++i) ::poll(nullptr, 0, 10);
+  pid_t ended = 0;
+  for (int i = 0; i < 100 && (ended = ::waitpid(child_, &status, WNOHANG)) == 0; ++i) ::poll(nullptr, 0, 10);
+  if (ended == child_) child_ = -1;  // its number may be another's by now
   const bool signalled = WIFSIGNALED(status);
   kill();
   const std::string how = signalled ? std::string("signal: ") + strsignal(WTERMSIG(status))

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/cancellation.h"
 #include "core/io/formats/volume_files.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/formats/volume_source.h"
@@ -56,8 +57,10 @@ void addFile(Digest& digest, const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) refuseInput(path, FindingKind::notOpened);
   std::vector<char> part(1 << 16);
-  while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
+  while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0) {
+    giveUpIfCancelled();
     digest.add(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) refuseInput(path, FindingKind::notReadToEnd);
 }
 

@@ -278,6 +278,32 @@ TEST_CASE("a step that is cancelled anywhere inside leaves no trace", "[history]
   CHECK(isSame(contour.mesh(), straightRun(torusContour()).back()));
 }
 
+TEST_CASE("a step that is cancelled leaves its vertices in the order that they had", "[history]") {
+  constexpr int kOrderedFrom = 4500;  // vertices
+  Parameters fine;
+  fine.edgeLength = 0.5;
+  ActiveContour contour(ballVolume(), {{kMiddle, 3.0}}, fine);
+  while (contour.mesh().vertexSlots() < kOrderedFrom) {
+    REQUIRE(contour.stopReason() == StopReason::running);
+    contour.step();
+  }
+  ActiveContour brokenOff = contour;
+  {
+    const std::atomic<bool> cancelled{true};
+    const CancelScope scope(cancelled);
+    CHECK_THROWS_AS(brokenOff.step(), Cancelled);
+  }
+  CHECK(isSame(brokenOff.mesh(), contour.mesh()));
+  // What is asked for now finds the same mesh in both.
+  Parameters coarser = fine;
+  coarser.edgeLength = 0.6;
+  for (ActiveContour* c : {&brokenOff, &contour}) {
+    c->changeParameters(coarser);
+    c->step();
+  }
+  CHECK(isSame(brokenOff.mesh(), contour.mesh()));
+}
+
 TEST_CASE("an event of the past tells its stages without disturbing the history", "[history]") {
   History history(torusContour());
   runToEnd(history);
