@@ -6,7 +6,7 @@
 
 namespace handlebody::ui {
 
-//! `value` to so many significant digits, without noughts behind the last of them. From 1e-7 to below 1e15 it
+//! `value` to so many significant digits, without zeros behind the last of them. From 1e-7 to below 1e15 it
 //! is written out, with all digits before the point; else as a power of ten.
 QString significant(double value, int digits, const QLocale& locale = QLocale());
 

@@ -10,7 +10,7 @@ namespace handlebody::ui {
 namespace {
 
 // Differences of intensities and their shares of a window stay far from the ends of single precision, 1e±38.
-constexpr double kLeastWindow = 1e-30, kLargestIntensity = 1e30;
+constexpr double kMinWindow = 1e-30, kLargestIntensity = 1e30;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void ViewState::setCrosshair(const Vec3& world) {
 
 void ViewState::setWindowLevel(double window, double level) {
   if (!std::isfinite(window) || !std::isfinite(level) || !(window > 0)) return;
-  window = std::clamp(window, kLeastWindow, kLargestIntensity);
+  window = std::clamp(window, kMinWindow, kLargestIntensity);
   level = std::clamp(level, -kLargestIntensity, kLargestIntensity);
   if (window == window_ && level == level_) return;
   window_ = window;

@@ -19,7 +19,7 @@ TEST_CASE("Numbers over the views are written out, with no more digits behind th
   CHECK(written(0) == "0");
 }
 
-TEST_CASE("Numbers that would be a row of noughts are powers of ten", "[numbers]") {
+TEST_CASE("Numbers that would be a row of zeros are powers of ten", "[numbers]") {
   CHECK(significant(2e20, 4, QLocale::c()) == "2e+20");
   CHECK(significant(-3e-9, 4, QLocale::c()) == "-3e-09");
 }
