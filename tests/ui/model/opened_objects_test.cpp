@@ -233,6 +233,7 @@ TEST_CASE("what a label map leaves out of an object is told beside the file", "[
   const QString part = work.torus.file("part.stl");
   writeMesh(icosphere(Vec3(20.5, 20.5, 33.5), 0.3, 0.1), part.toStdString());  // between voxel centres
   REQUIRE(work.open(part, OpenAs::done));
+  REQUIRE(waitFor([&] { return work.isShown(0); }));
   work.document.setActiveObject(0);
   REQUIRE(work.exportActive(work.torus.file("none.nii.gz")));
   CHECK(told.contains(QLatin1String("No voxel with a value has its centre inside")));
@@ -242,6 +243,7 @@ TEST_CASE("what a label map leaves out of an object is told beside the file", "[
 
   writeMesh(icosphere(Vec3(38, 38, 38), 5, 1), part.toStdString());
   REQUIRE(work.open(part, OpenAs::done));
+  REQUIRE(waitFor([&] { return work.isShown(0) && work.isShown(1); }));
   REQUIRE(work.exportAll(work.torus.file("both.seg.nrrd")));
   CHECK(told.contains(QLatin1String("A part of the surface lies outside of the volume")));
   CHECK(told.contains(QString::fromStdString(nameOf(work.document, 0)) + QLatin1Char(':')));
