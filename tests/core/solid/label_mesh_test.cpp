@@ -116,7 +116,7 @@ TEST_CASE("meshes of random label maps are certified and have the topology of th
 
 TEST_CASE("meshes of more random label maps", "[.][label-mesh-slow]") {
   const char* const wanted = std::getenv("HANDLEBODY_LABEL_MAPS");  // 500 take a minute and a half
-  requireRandomMeshes(60, 60 + (wanted ? static_cast<unsigned>(std::atoi(wanted)) : 150));
+  requireRandomMeshes(60, 60 + (wanted ? static_cast<unsigned>(std::atoi(wanted)) : 60));
 }
 
 TEST_CASE("a mesh of a label map has no steps, keeps its volume and stays close to the voxels",
