@@ -123,10 +123,10 @@ TEST_CASE("a frame to grow in is given up where another one is wanted before it 
   QString said;
   QObject::connect(&document, &Document::refused, [&](const QString& why) { said = why; });
   REQUIRE(growInFrame(document, heart));
+  document.time().store().setBound(0);  // so that the two used last are kept alone
   REQUIRE(showFrame(document, 2));
   document.growInShownFrame();
   REQUIRE(runToEnd(document));
-  document.time().store().setBound(0);  // so that the two used last are kept alone
   REQUIRE(showFrame(document, 3));
   REQUIRE(showFrame(document, 1));
   REQUIRE_FALSE(document.time().store().kept(0));
