@@ -3,9 +3,10 @@
 #include <QApplication>
 #include <clocale>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <optional>
+#include <string>
 
 #include "app/window/options.h"
 #include "app/window/screenshot.h"
@@ -22,20 +23,19 @@ constexpr int kNoDisplay = 1;
 
 bool isStarting = true;  // Qt is looking for a display, the only thing that can be fatal then
 
+// Not by std::cerr, whose buffer what writes a volume may have exchanged on another thread.
+void say(const std::string& text) { std::fprintf(stderr, "handlebody: %s\n", text.c_str()); }
+
 // Qt ends the program with an abort if it gets no display; a sentence and an exit code serve better.
 void endOnFatal(QtMsgType type, const QMessageLogContext& context, const QString& text) {
   if (type == QtDebugMsg || type == QtInfoMsg) return;
   if (type != QtFatalMsg) {
     const bool isOfPlatform = QByteArrayView(context.category).startsWith("qt.qpa");
-    if (!isOfPlatform) std::cerr << "handlebody: " << text.toStdString() << std::endl;
+    if (!isOfPlatform) say(text.toStdString());
     return;
   }
-  if (isStarting)
-    std::cerr
-        << "handlebody: there is no display to open the window on; handlebody-cli does the same work without "
-           "one.\n";
-  else
-    std::cerr << "handlebody: " << text.toStdString() << std::endl;
+  say(isStarting ? "there is no display to open the window on; handlebody-cli does the same work without one."
+                 : text.toStdString());
   std::_Exit(kNoDisplay);
 }
 

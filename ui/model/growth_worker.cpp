@@ -23,11 +23,12 @@ void GrowthWorker::send(Command command, Urgency urgency) {
   {
     const std::lock_guard lock(mutex_);
     // A slider that is dragged asks for many iterations; only the newest counts.
-    if (urgency == Urgency::goesTo && !commands_.empty() && commands_.back().second == urgency) {
+    int count = 1;
+    if (urgency == Urgency::goesTo && !commands_.empty() && commands_.back().urgency == urgency) {
+      count += commands_.back().count;
       commands_.pop_back();
-      ++done_;
     }
-    commands_.emplace_back(std::move(command), urgency);
+    commands_.push_back({std::move(command), urgency, count});
     if (urgency != Urgency::normal) endsStep_ = true;
   }
   ++sent_;
@@ -161,13 +162,13 @@ std::optional<GrowthWorker::Command> GrowthWorker::next(const std::stop_token& s
   std::unique_lock lock(mutex_);
   changed_.wait(lock, stop, [this] { return !commands_.empty() || mode_ != Mode::idle; });
   if (commands_.empty() || stop.stop_requested()) return std::nullopt;
-  Command command = std::move(commands_.front().first);
+  Sent sent = std::move(commands_.front());
   commands_.pop_front();
   endsStep_ = std::any_of(commands_.begin(), commands_.end(),
-                          [](const auto& c) { return c.second != Urgency::normal; });
-  ++done_;
+                          [](const auto& c) { return c.urgency != Urgency::normal; });
+  done_ += sent.count;
   error_.clear();
-  return command;
+  return std::move(sent.command);
 }
 
 void GrowthWorker::perform(const Command& command) {

@@ -144,7 +144,12 @@ class GrowthWorker {
   // Shared.
   std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::deque<std::pair<Command, Urgency>> commands_;
+  struct Sent {
+    Command command;
+    Urgency urgency;
+    int count;  // of those sent: it and the ones in whose place it stands
+  };
+  std::deque<Sent> commands_;
   std::atomic<bool> endsStep_{false};  // one of them does
   int done_ = 0;
   int stepsPerFrame_ = 1;
