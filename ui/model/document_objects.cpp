@@ -155,8 +155,7 @@ QString Document::Private::listFault() const {
 }
 
 QString Document::Private::addFault() const {
-  if (const QString fault = listFault(); !fault.isEmpty() || objects.size() > 1 || !hasOverTime())
-    return fault;
+  if (QString fault = listFault(); !fault.isEmpty() || objects.size() > 1 || !hasOverTime()) return fault;
   return tr(
       "A session keeps work over time of one object only: save this one, then open the volume anew to have "
       "several objects.");
