@@ -307,8 +307,8 @@ void Document::exportFrames(const QString& path, CoordinateSpace space) {
 void Document::Private::exportFrames(const QString& path, CoordinateSpace coordinates) {
   setOutput({output.polishes, coordinates});
   OverTimeReport report = overTimeReport();
-  const QStringList files = frameFiles(path, report);  // before the report is handed on
-  write(path, files,
+  const QStringList paths = frameFiles(path, report);  // before the report is handed on
+  write(path, paths,
         [this, path, coordinates, over = std::move(report), from = time.carriedFrom(),
          grown = time.grownFrame(), label = active().traits.label, grid = work->volume.grid,
          betters = output.polishes]() mutable -> Written {
