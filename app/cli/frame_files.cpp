@@ -46,9 +46,7 @@ void checkFrameFiles(const RunOutputs& outputs, const std::vector<std::string>& 
 }
 
 void warnOfLabelMap(const OverTimeReport& over, const Grid& grid, const RunOutputs& outputs) {
-  std::vector<std::string> paths;
-  for (const ResultFile& file : outputs.files) paths.push_back(file.path);
-  for (const auto& [frame, warnings] : frameLabelWarnings(over, grid, paths))
+  for (const auto& [frame, warnings] : frameLabelWarnings(over, grid, pathsOf(outputs.files)))
     for (const std::string& warning : sentences(warnings))
       std::fprintf(stderr, "handlebody-cli: warning: frame %d: %s\n", frame, warning.c_str());
 }

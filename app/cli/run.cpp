@@ -169,6 +169,12 @@ LoadedSession load(Session session, bool isAnonymous) {
   return loaded;
 }
 
+std::vector<std::string> pathsOf(const std::vector<ResultFile>& files) {
+  std::vector<std::string> paths;
+  for (const ResultFile& file : files) paths.push_back(file.path);
+  return paths;
+}
+
 int exitCodeOf(const std::vector<RunReport>& reports) {
   const auto any = [&](auto&& is) { return std::any_of(reports.begin(), reports.end(), is); };
   if (any([](const RunReport& r) { return r.isStoppedAtLeak || r.isStoppedToAsk; })) return kLeak;
@@ -287,13 +293,6 @@ std::vector<Finding> warningsOfSensitivity(const RunReport& report) {
                              "to rest, and perturbed runs would go on")}}}};
 }
 
-std::vector<Finding> warningsOfLabelMap(const TriangleSoup& mesh, const Grid& grid,
-                                        const RunOutputs& outputs) {
-  std::vector<std::string> paths;
-  for (const ResultFile& file : outputs.files) paths.push_back(file.path);
-  return labelMapWarnings(mesh, grid, paths);
-}
-
 void tellPolish(const PolishReport& polish, RunReport& report) {
   report.polish = polish;
   if (Finding warning = polishWarning(polish); warning.any()) report.warnings.push_back(std::move(warning));
@@ -352,7 +351,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
                                        outputs.sensitivity, outputs.quiet);
   report.seconds.sensitivity = watch.lap();
   addWarnings(contour, made.mesh, report);
-  for (Finding& d : warningsOfLabelMap(made.mesh, volume.grid, outputs))
+  for (Finding& d : labelMapWarnings(made.mesh, volume.grid, pathsOf(outputs.files)))
     report.warnings.push_back(std::move(d));
   if (asksSensitivity)
     for (Finding& d : warningsOfSensitivity(report)) report.warnings.push_back(std::move(d));

@@ -25,6 +25,7 @@ struct ResultFile {
   std::string path;
   int object = -1;  //!< index of the one that it holds; -1: all of them
 };
+std::vector<std::string> pathsOf(const std::vector<ResultFile>& files);
 
 //! What a run writes and says.
 struct RunOutputs {
